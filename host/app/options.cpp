@@ -1,0 +1,151 @@
+// The command line by CLI11. Every value is read by option_values.h, so that each message names the option and the accepted range.
+#include "app/options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+
+#include "app/option_values.h"
+
+namespace pencil {
+namespace {
+
+const std::vector<std::string> initials{"direct", "emission", "auto"};
+const std::vector<std::string> placements{"random", "lds"};
+const std::vector<std::string> weightings{"dpdf", "thesis"};
+const std::vector<std::string> iterations{"sets", "fixed"};
+
+/// An option whose text goes to `read`, which throws std::invalid_argument with what is wrong.
+CLI::Option* add(CLI::App& app, const std::string& name, const std::string& help, const std::string& type, const std::string& standard,
+                 std::function<void(const std::string&)> read) {
+    const auto checked = [name, read](const std::string& text) {
+        try {
+            read(text);
+        } catch (const std::invalid_argument& error) {
+            throw CLI::ValidationError(name, error.what());
+        }
+    };
+    return app.add_option_function<std::string>(name, checked, help)->type_name(type)->default_str(standard);
+}
+
+void add_integer(CLI::App& app, const std::string& name, int& value, int low, int high, const std::string& help) {
+    const std::string range = " [" + std::to_string(low) + " to " + std::to_string(high) + "]";
+    add(app, name, help + range, "N", std::to_string(value),
+        [&value, low, high](const std::string& text) { value = static_cast<int>(parse_integer(text, low, high)); });
+}
+
+template <typename Enum>
+void add_choice(CLI::App& app, const std::string& name, Enum& value, const std::vector<std::string>& known, const std::string& help) {
+    add(app, name, help + " {" + join(known) + "}", "WORD", known[static_cast<std::size_t>(value)],
+        [&value, &known](const std::string& text) { value = static_cast<Enum>(parse_choice(text, known)); });
+}
+
+void add_scene(CLI::App& app, std::filesystem::path& scene, SceneDefines& defines) {
+    app.add_option("SCENE", scene, "Scene file, Mitsuba XML")->required()->type_name("");
+    app.add_option_function<std::vector<std::string>>(
+           "-D,--define",
+           [&defines](const std::vector<std::string>& texts) {
+               for (const std::string& text : texts) {
+                   try {
+                       const auto [name, value] = parse_define(text);
+                       defines[name] = value;
+                   } catch (const std::invalid_argument& error) {
+                       throw CLI::ValidationError("-D", error.what());
+                   }
+               }
+           },
+           "Replace the value of a <default> of the scene; may be repeated")
+        ->type_name("NAME=VALUE")
+        ->allow_extra_args(false);
+}
+
+void add_solver_options(CLI::App& app, RenderCommand& command) {
+    RenderOptions& options = command.options;
+    const int many = 1 << 20;
+    add_integer(app, "--pencils", options.pencils, 1, many, "Pencils of the first set");
+    add(app, "--decay", "Size of each further set relative to the last (above 0, at most 1)", "X", format_real(options.decay),
+        [&options](const std::string& text) { options.decay = parse_real(text, 0, false, 1); });
+    add(app, "--bounces", "Reflections at most, direct light being the first: auto or 0 to 1000; the scene's max_depth if absent", "K", "",
+        [&command](const std::string& text) { command.bounces = text == "auto" ? -1 : static_cast<int>(parse_integer(text, 0, 1000)); });
+    add(app, "--map", "Width of a pencil's octahedral map in texels, even [8 to 1024]", "N", std::to_string(options.map),
+        [&options](const std::string& text) {
+            options.map = static_cast<int>(parse_integer(text, 8, 1024));
+            if (options.map % 2 != 0) {
+                throw std::invalid_argument("\"" + text + "\" is not even");
+            }
+        });
+    add_integer(app, "--light-samples", options.light_samples, 1, many, "Point samples over all emitters");
+    add_choice(app, "--initial", options.initial, initials, "How direct light enters the first set");
+    add_choice(app, "--placement", options.placement, placements, "Where the pencils lie");
+    add_choice(app, "--weights", options.weights, weightings, "Quadrature weights of the pencils");
+    add_choice(app, "--iterate", options.iterate, iterations, "Shrinking sets or one fixed set");
+    add(app, "--tolerance", "Stop when a bounce adds less than this share (above 0, at most 1)", "X", format_real(options.tolerance),
+        [&options](const std::string& text) { options.tolerance = parse_real(text, 0, false, 1); });
+    add(app, "--seed", "Seed of the random numbers", "S", std::to_string(options.seed),
+        [&options](const std::string& text) { options.seed = parse_seed(text); });
+}
+
+void add_film_options(CLI::App& app, RenderCommand& command) {
+    RenderOptions& options = command.options;
+    add(app, "--resolution", "Size of the image in pixels; the scene's if absent", "WxH", "",
+        [&options](const std::string& text) { std::tie(options.width, options.height) = parse_resolution(text); });
+    add_integer(app, "--film-samples", options.film_samples, 1, 4096, "Visibility samples of a pixel");
+    command.aovs = all_aovs();
+    add(app, "--aov", "Layers beside the beauty, separated by commas {" + join(all_aovs()) + "}, or all, or none", "A,B", "all",
+        [&command](const std::string& text) { command.aovs = parse_list(text, all_aovs()); });
+}
+
+}  // namespace
+
+void add_render_options(CLI::App& app, RenderCommand& command) {
+    add_scene(app, command.scene, command.defines);
+    app.add_option("-o,--output", command.outputs, "Image to write, .exr (all layers) or .png; may be repeated")
+        ->required()
+        ->type_name("FILE")
+        ->allow_extra_args(false);
+    add_solver_options(app, command);
+    add_film_options(app, command);
+    app.add_option("--device", command.device, "Number from `pencil devices`, part of a name, cpu or gpu")
+        ->type_name("D")
+        ->envname("PENCIL_DEVICE");
+    app.add_option("--stats", command.stats, "Write times, counts and decisions as JSON")->type_name("FILE");
+    app.add_flag("--explain", command.explain, "Print what was decided and what was left out, and why");
+    app.add_flag("--quiet", command.quiet, "No progress and no summary; warnings and errors stay");
+}
+
+void add_info_options(CLI::App& app, InfoCommand& command) {
+    add_scene(app, command.scene, command.defines);
+}
+
+void add_devices_options(CLI::App& app, DevicesCommand& command) {
+    app.add_flag("--self-test", command.self_test, "Run known answers on every device; exit status 4 if one is wrong");
+}
+
+int reflections(const std::optional<int>& bounces, const Scene& scene) {
+    if (bounces) {
+        return *bounces;
+    }
+    return scene.max_depth < 0 ? -1 : std::max(scene.max_depth - 1, 0);
+}
+
+const std::vector<std::string>& all_aovs() {
+    static const std::vector<std::string> names{"emission", "direct", "bounces", "albedo", "normal", "depth", "position"};
+    return names;
+}
+
+std::string to_string(Initial value) {
+    return initials[static_cast<std::size_t>(value)];
+}
+std::string to_string(Placement value) {
+    return placements[static_cast<std::size_t>(value)];
+}
+std::string to_string(Weights value) {
+    return weightings[static_cast<std::size_t>(value)];
+}
+std::string to_string(Iterate value) {
+    return iterations[static_cast<std::size_t>(value)];
+}
+
+}  // namespace pencil

@@ -1,0 +1,58 @@
+// What `pencil render` was asked to do, and the reading of it from the command line.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+#include "transport/render.h"
+
+namespace CLI {
+class App;
+}
+
+namespace pencil {
+
+using SceneDefines = std::map<std::string, std::string>;
+
+struct RenderCommand {
+    std::filesystem::path scene;
+    SceneDefines defines;
+    std::vector<std::filesystem::path> outputs;
+    std::vector<std::string> aovs;
+    RenderOptions options;       // all but `bounces`
+    std::optional<int> bounces;  // -1: auto; absent: what the scene says
+    std::string device;
+    std::filesystem::path stats;  // empty: none
+    bool explain = false, quiet = false;
+};
+
+struct InfoCommand {
+    std::filesystem::path scene;
+    SceneDefines defines;
+};
+
+struct DevicesCommand {
+    bool self_test = false;
+};
+
+/// Declares the options of a sub-command; parsing fills `command`, which must live as long as `app`.
+void add_render_options(CLI::App& app, RenderCommand& command);
+void add_info_options(CLI::App& app, InfoCommand& command);
+void add_devices_options(CLI::App& app, DevicesCommand& command);
+
+/// RenderOptions::bounces: --bounces if given, otherwise the scene's max_depth, which counts the emitter as the first vertex.
+int reflections(const std::optional<int>& bounces, const Scene& scene);
+
+const std::vector<std::string>& all_aovs();
+
+/// As the command line spells them.
+std::string to_string(Initial value);
+std::string to_string(Placement value);
+std::string to_string(Weights value);
+std::string to_string(Iterate value);
+
+}  // namespace pencil

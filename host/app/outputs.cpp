@@ -1,0 +1,64 @@
+// Two names can mean one file (./a.exr, links), so files are compared where they exist and canonical paths where they do not.
+#include "app/outputs.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <system_error>
+
+#include "app/units.h"
+#include "scene/write_image.h"
+#include "util/error.h"
+#include "util/output_file.h"
+
+namespace pencil {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool same_file(const fs::path& a, const fs::path& b) {
+    std::error_code error;
+    if (fs::equivalent(a, b, error)) {
+        return true;
+    }
+    const fs::path canonical_a = fs::weakly_canonical(fs::absolute(a, error), error);
+    const fs::path canonical_b = fs::weakly_canonical(fs::absolute(b, error), error);
+    return !error && canonical_a == canonical_b;
+}
+
+}  // namespace
+
+void check_outputs(const RenderCommand& command) {
+    std::vector<fs::path> files = command.outputs;
+    for (const fs::path& file : files) {
+        image_format(file);
+    }
+    if (!command.stats.empty()) {
+        files.push_back(command.stats);
+    }
+    for (auto file = files.begin(); file != files.end(); ++file) {
+        if (same_file(*file, command.scene)) {
+            throw OutputError("cannot write " + file->string() + ": it is the scene");
+        }
+        if (std::any_of(files.begin(), file, [&](const fs::path& earlier) { return same_file(earlier, *file); })) {
+            throw OutputError("cannot write " + file->string() + ": it is named twice");
+        }
+        check_writable(*file);
+    }
+}
+
+void check_film_memory(int width, int height, const std::vector<std::string>& aovs) {
+    const int bounce_layers = 8;  // a guess that errs on the small side: what fails here could never have worked
+    const auto wanted = [&](const char* name) { return std::find(aovs.begin(), aovs.end(), name) != aovs.end() ? 1 : 0; };
+    const int layers = 1 + static_cast<int>(aovs.size()) + (bounce_layers - 1) * wanted("bounces");
+    const double needed = static_cast<double>(width) * height * layers * 3 * sizeof(float);
+    const double present = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
+    if (needed > present) {
+        throw MemoryError("an image of " + std::to_string(width) + "x" + std::to_string(height) + " pixels with about " +
+                          std::to_string(layers) + " layers needs " + format_size(static_cast<std::uint64_t>(needed)) +
+                          ", this machine has " + format_size(static_cast<std::uint64_t>(present)) +
+                          "; try a smaller --resolution or --aov none");
+    }
+}
+
+}  // namespace pencil

@@ -1,0 +1,128 @@
+// `pencil render`: everything that can be refused is refused before the device is opened, and what was rendered is always written.
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+
+#include "app/commands.h"
+#include "app/interrupt.h"
+#include "app/message.h"
+#include "app/outputs.h"
+#include "app/run_report.h"
+#include "scene/load_scene.h"
+#include "util/log.h"
+#include "util/progress.h"
+
+namespace pencil {
+namespace {
+
+class Stopwatch {
+public:
+    double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// Runs `work`, whose time becomes a stage of the report.
+template <typename Work>
+auto timed(RunReport& report, const std::string& name, Work work) -> decltype(work()) {
+    struct AddStage {
+        RunReport& report;
+        const std::string& name;
+        Stopwatch watch;
+        ~AddStage() { report.stages.push_back({name, watch.seconds(), 0, 0}); }
+    } at_end{report, name, {}};
+    return work();
+}
+
+void add_warnings(RunReport& report, const std::vector<std::string>& warnings) {
+    for (const std::string& warning : warnings) {
+        print_warning(warning);
+        report.warnings.push_back(warning);
+    }
+}
+
+RenderResult render_with_progress(const Scene& scene, const RenderCommand& command, const RunReport& report,
+                                  const std::shared_ptr<Device>& device) {
+    ProgressDisplay display(command.quiet ? ProgressDisplay::Style::none : ProgressDisplay::style_for(stderr));
+    const Progress progress = [&display](const std::string& stage, double fraction) {
+        display.update(stage, fraction);
+        return interrupted_by() == 0;
+    };
+    return render(scene, report.options, command.aovs, device, progress);
+}
+
+void take_result(RunReport& report, const RenderResult& result, Device& device) {
+    report.stages.insert(report.stages.end(), result.stats.stages.begin(), result.stats.stages.end());
+    report.stats = result.stats;
+    report.width = result.width;
+    report.height = result.height;
+    report.interrupted = result.interrupted;
+    report.launches = device.launch_times();
+    report.kernel_build_seconds = device.build_seconds();
+    for (const Layer& layer : result.layers) {
+        if (!layer.name.empty()) {
+            report.layers.push_back(layer.name);
+        }
+    }
+}
+
+void write_images(RunReport& report, const RenderResult& result, const RenderCommand& command) {
+    LayeredImage image{result.width, result.height, {}};
+    std::transform(result.layers.begin(), result.layers.end(), std::back_inserter(image.layers),
+                   [](const Layer& layer) { return ImageLayer{layer.name, layer.channels, layer.pixels.data()}; });
+    const Metadata metadata = image_metadata(report, command, !command.stats.empty());
+    for (const std::filesystem::path& output : command.outputs) {
+        add_warnings(report, write_image(output, image, metadata));
+    }
+}
+
+}  // namespace
+
+ExitCode run_render(const RenderCommand& command) {
+    const Stopwatch total;
+    RunReport report;
+    set_quiet(command.quiet);
+    check_outputs(command);
+    const Scene scene = timed(report, "load scene", [&] { return load_scene(command.scene, {command.defines}); });
+    add_warnings(report, scene.warnings);
+
+    report.options = command.options;
+    report.options.bounces = reflections(command.bounces, scene);
+    const bool resized = command.options.width > 0;
+    report.width = report.options.width = resized ? command.options.width : scene.sensor.width;
+    report.height = report.options.height = resized ? command.options.height : scene.sensor.height;
+    check_film_memory(report.width, report.height, command.aovs);
+
+    const std::shared_ptr<Device> device = timed(report, "open device", [&] { return Device::open(command.device); });
+    report.device = device->info();
+    report.packet_width = device->packet_width();
+
+    const RenderResult result = render_with_progress(scene, command, report, device);
+    take_result(report, result, *device);
+    add_warnings(report, result.stats.warnings);
+    if (result.layers.empty()) {
+        print_error("interrupted before there was an image; nothing is written");
+        return ExitCode::interrupted;
+    }
+    report.total_wall_seconds = total.seconds();
+    timed(report, "write images", [&] { write_images(report, result, command); });
+
+    report.total_wall_seconds = total.seconds();
+    if (!command.stats.empty()) {
+        write_stats(command.stats, report, command);
+    }
+    if (command.explain) {
+        print_explanation(std::cout, report);
+    }
+    if (!command.quiet) {
+        print_summary(std::cout, report, command.outputs);
+    }
+    if (report.interrupted) {
+        print_error("interrupted; the partial result is written");
+        return ExitCode::interrupted;
+    }
+    return ExitCode::ok;
+}
+
+}  // namespace pencil

@@ -1,0 +1,112 @@
+// The report in words, and the image's metadata.
+#include "app/run_report.h"
+
+#include <sys/resource.h>
+
+#include <iomanip>
+#include <ostream>
+
+#include "app/message.h"
+#include "app/option_values.h"
+#include "app/units.h"
+
+namespace pencil {
+namespace {
+
+constexpr int name_width = 28, number_width = 12;  // [characters]
+
+void print_stage(std::ostream& out, const StageTime& stage) {
+    out << std::left << std::setw(name_width) << printable(stage.name) << std::right << std::fixed << std::setprecision(3)
+        << std::setw(number_width) << stage.wall_seconds;
+    if (stage.launches > 0) {
+        out << std::setw(number_width) << stage.device_seconds << std::setw(number_width) << stage.launches;
+    } else {
+        out << std::setw(number_width) << "-" << std::setw(number_width) << "-";
+    }
+    out << "\n";
+}
+
+std::string device_line(const DeviceInfo& device) {
+    return printable(device.name + " (" + device.platform + "), driver " + device.driver);
+}
+
+std::string bounce_line(const RenderStats& stats) {
+    std::string line = std::to_string(stats.bounces.size()) + ", residual " + format_short(stats.residual);
+    return line + (stats.tail_closed ? ", added as a geometric tail" : "");
+}
+
+}  // namespace
+
+std::uint64_t peak_resident_bytes() {
+    struct rusage usage {};
+    ::getrusage(RUSAGE_SELF, &usage);
+    return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
+}
+
+void print_summary(std::ostream& out, const RunReport& report, const std::vector<std::filesystem::path>& written) {
+    out << std::left << std::setw(name_width) << "stage" << std::right << std::setw(number_width) << "wall s" << std::setw(number_width)
+        << "device s" << std::setw(number_width) << "launches"
+        << "\n";
+    StageTime total{"total", report.total_wall_seconds, 0, 0};
+    for (const StageTime& stage : report.stages) {
+        print_stage(out, stage);
+        total.device_seconds += stage.device_seconds;
+        total.launches += stage.launches;
+    }
+    print_stage(out, total);
+    out << "\ndevice   " << device_line(report.device) << "\nmemory   " << format_size(peak_resident_bytes()) << " at most, "
+        << format_size(report.stats.device_peak_bytes) << " of it planned for the device\nimage    " << report.width << "x" << report.height
+        << ", " << report.stats.triangles << " triangles, " << report.stats.film_surfels << " film surfels";
+    if (report.stats.blind_surfels > 0) {
+        out << ", " << report.stats.blind_surfels << " of them seen by no pencil of the first set";
+    }
+    out << "\nbounces  " << bounce_line(report.stats) << "\n";
+    for (const std::filesystem::path& file : written) {
+        out << "wrote    " << printable(file.string()) << "\n";
+    }
+}
+
+void print_explanation(std::ostream& out, const RunReport& report) {
+    out << "device: " << device_line(report.device) << ", packets of " << report.packet_width << " surfels\n";
+    for (const std::string& sentence : report.stats.explain) {
+        out << printable(sentence) << "\n";
+    }
+    out << "layers written: beauty" << (report.layers.empty() ? "" : ", ") << join(report.layers) << "\n";
+}
+
+Metadata image_metadata(const RunReport& report, const RenderCommand& command, bool times) {
+    const RenderOptions& options = report.options;
+    Metadata metadata{
+        {"Software", "pencil " PENCIL_VERSION},
+        {"pencil:version", PENCIL_VERSION},
+        {"pencil:scene", command.scene.filename().string()},
+        {"pencil:device", report.device.name},
+        {"pencil:driver", report.device.platform + " " + report.device.driver},
+        {"pencil:pencils", options.pencils},
+        {"pencil:decay", options.decay},
+        {"pencil:bounces", options.bounces < 0 ? "auto" : std::to_string(options.bounces)},
+        {"pencil:map", options.map},
+        {"pencil:lightSamples", options.light_samples},
+        {"pencil:initial", to_string(options.initial)},
+        {"pencil:placement", to_string(options.placement)},
+        {"pencil:weights", to_string(options.weights)},
+        {"pencil:iterate", to_string(options.iterate)},
+        {"pencil:tolerance", options.tolerance},
+        {"pencil:filmSamples", options.film_samples},
+        {"pencil:seed", std::to_string(options.seed)},
+        {"pencil:aov", join(command.aovs)},
+    };
+    for (const auto& [name, value] : command.defines) {
+        metadata["pencil:define:" + name] = value;
+    }
+    if (report.interrupted) {
+        metadata["pencil:interrupted"] = 1;
+    }
+    if (times) {
+        metadata["pencil:wallSeconds"] = report.total_wall_seconds;
+        metadata["pencil:kernelBuildSeconds"] = report.kernel_build_seconds;
+    }
+    return metadata;
+}
+
+}  // namespace pencil

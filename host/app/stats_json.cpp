@@ -1,0 +1,110 @@
+// --stats. The keys are a contract with programs that read them: `schema` counts incompatible changes, new keys may appear without.
+// Sizes are in bytes, times in seconds; a number that is not finite becomes null.
+#include <nlohmann/json.hpp>
+
+#include "app/run_report.h"
+#include "util/output_file.h"
+
+namespace pencil {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int schema = 1;
+
+Json options_json(const RunReport& report, const RenderCommand& command) {
+    const RenderOptions& options = report.options;
+    Json json{{"pencils", options.pencils},
+              {"decay", options.decay},
+              {"bounces", options.bounces < 0 ? Json("auto") : Json(options.bounces)},
+              {"map", options.map},
+              {"light_samples", options.light_samples},
+              {"initial", to_string(options.initial)},
+              {"placement", to_string(options.placement)},
+              {"weights", to_string(options.weights)},
+              {"iterate", to_string(options.iterate)},
+              {"tolerance", options.tolerance},
+              {"resolution", {report.width, report.height}},
+              {"film_samples", options.film_samples},
+              {"seed", options.seed},
+              {"aov", command.aovs},
+              {"defines", command.defines}};
+    for (const std::filesystem::path& output : command.outputs) {
+        json["output"].push_back(output.string());
+    }
+    return json;
+}
+
+Json device_json(const RunReport& report) {
+    const DeviceInfo& device = report.device;
+    return {{"name", device.name},
+            {"platform", device.platform},
+            {"vendor", device.vendor},
+            {"driver", device.driver},
+            {"version", device.version},
+            {"is_cpu", device.is_cpu},
+            {"compute_units", device.compute_units},
+            {"global_memory", device.global_memory},
+            {"packet_width", report.packet_width}};
+}
+
+Json stages_json(const RunReport& report) {
+    Json stages = Json::array();
+    for (const StageTime& stage : report.stages) {
+        stages.push_back({{"name", stage.name},
+                          {"wall_seconds", stage.wall_seconds},
+                          {"device_seconds", stage.device_seconds},
+                          {"launches", stage.launches}});
+    }
+    return stages;
+}
+
+Json launches_json(const RunReport& report) {
+    Json launches = Json::object();
+    for (const auto& [description, times] : report.launches) {
+        launches[description] = {{"launches", times.launches}, {"device_seconds", times.device_seconds}};
+    }
+    return launches;
+}
+
+Json bounces_json(const RenderStats& stats) {
+    Json bounces = Json::array();
+    for (const BounceReport& bounce : stats.bounces) {
+        bounces.push_back(
+            {{"order", bounce.order}, {"pencils", bounce.pencils}, {"mean", {bounce.mean.x, bounce.mean.y, bounce.mean.z}}});
+    }
+    return bounces;
+}
+
+}  // namespace
+
+void write_stats(const std::filesystem::path& file, const RunReport& report, const RenderCommand& command) {
+    const RenderStats& stats = report.stats;
+    const Json json{{"schema", schema},
+                    {"version", PENCIL_VERSION},
+                    {"scene", command.scene.string()},
+                    {"options", options_json(report, command)},
+                    {"device", device_json(report)},
+                    {"driver", report.device.driver},
+                    {"interrupted", report.interrupted},
+                    {"layers", report.layers},
+                    {"stages", stages_json(report)},
+                    {"kernel_launches", launches_json(report)},
+                    {"kernel_build_seconds", report.kernel_build_seconds},
+                    {"total_wall_seconds", report.total_wall_seconds},
+                    {"bounces", bounces_json(stats)},
+                    {"residual", stats.residual},
+                    {"tail_closed", stats.tail_closed},
+                    {"triangles", stats.triangles},
+                    {"film_surfels", stats.film_surfels},
+                    {"blind_surfels", stats.blind_surfels},
+                    {"peak_rss_bytes", peak_resident_bytes()},
+                    {"device_peak_bytes", stats.device_peak_bytes},
+                    {"explain", stats.explain},
+                    {"warnings", report.warnings}};
+    // Names in scene files and drivers need not be valid UTF-8; JSON must be.
+    const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    write_file(file, text.data(), text.size());
+}
+
+}  // namespace pencil

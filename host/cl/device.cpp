@@ -1,0 +1,127 @@
+// One device: context, profiling queue, the memory plan and the times of its launches.
+#include "cl/device.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "cl/cl_error.h"
+#include "cl/discovery.h"
+#include "util/error.h"
+#include "util/log.h"
+
+namespace pencil {
+namespace {
+
+// Drivers keep some memory for themselves, and fail late and badly when it is gone.
+constexpr double USABLE_MEMORY = 0.9;
+// An event holds driver memory: finished ones are read and dropped whenever this many are kept.
+constexpr std::size_t EVENTS_KEPT = 256;
+
+int width_from_environment() {
+    const char* text = std::getenv("PENCIL_WIDTH");
+    if (!text || !*text) return 0;
+    for (int width : {1, 4, 8, 16})
+        if (text == std::to_string(width)) return width;
+    throw UsageError(std::string("PENCIL_WIDTH=") + text + " is not 1, 4, 8 or 16");
+}
+
+double event_seconds(const cl::Event& event) {
+    const auto start = event.getProfilingInfo<CL_PROFILING_COMMAND_START>();
+    const auto end = event.getProfilingInfo<CL_PROFILING_COMMAND_END>();
+    return end > start ? static_cast<double>(end - start) * 1e-9 : 0.0;
+}
+
+}  // namespace
+
+std::shared_ptr<Device> Device::open(const std::string& selector) {
+    std::vector<FoundDevice> found = find_devices();
+    std::vector<DeviceInfo> infos;
+    for (const FoundDevice& device : found) infos.push_back(device.info);
+    const char* preferred = std::getenv("PENCIL_DEVICE");
+    const FoundDevice& chosen = found[select_device(infos, selector.empty() && preferred ? preferred : selector)];
+    return cl_call([&] { return "opening OpenCL device " + chosen.info.name; },
+                   [&] { return std::shared_ptr<Device>(new Device(chosen.handle, chosen.info)); });
+}
+
+Device::Device(cl::Device device, DeviceInfo info)
+    : device_(std::move(device)),
+      info_(std::move(info)),
+      context_(device_),
+      queue_(context_, device_, CL_QUEUE_PROFILING_ENABLE),
+      packet_width_(width_from_environment()) {
+    if (packet_width_ == 0) packet_width_ = !info_.is_cpu ? 1 : info_.native_float_width >= 16 ? 16 : info_.native_float_width >= 8 ? 8 : 4;
+}
+
+// Waits, because buffers that commands still use must not die under them; a failed device cannot be waited for.
+Device::~Device() {
+    try {
+        queue_.finish();
+    } catch (const cl::Error&) {
+    }
+}
+
+int Device::packet_width() const { return packet_width_; }
+
+std::size_t Device::local_size() const {
+    // A CPU work-item handles a whole packet, so few make a group; 64 is a full wave on every GPU.
+    const std::size_t wanted = info_.is_cpu ? 8 : 64;
+    return std::min(wanted, std::max<std::size_t>(info_.max_work_group, 1));
+}
+
+void Device::reserve(std::uint64_t bytes, const std::string& what) {
+    const auto usable = static_cast<std::uint64_t>(USABLE_MEMORY * static_cast<double>(info_.global_memory));
+    const std::string advice = " Try fewer pencils, a smaller map or resolution, or another device.";
+    if (bytes > info_.max_allocation) {
+        throw MemoryError(what + " needs one buffer of " + format_bytes(bytes) + ", and " + info_.name + " allows at most " +
+                          format_bytes(info_.max_allocation) + " per buffer." + advice);
+    }
+    const std::uint64_t unused = usable > allocated_ ? usable - allocated_ : 0;
+    if (bytes > unused) {
+        throw MemoryError(what + " needs " + format_bytes(bytes) + ", and of the " + format_bytes(usable) + " usable on " + info_.name +
+                          " " + format_bytes(allocated_) + " are in use: " + format_bytes(unused) + " left." + advice);
+    }
+    allocated_ += bytes;
+    peak_ = std::max(peak_, allocated_);
+}
+
+void Device::release(std::uint64_t bytes) { allocated_ -= std::min(bytes, allocated_); }
+
+void Device::record(const std::string& description, const cl::Event& event) {
+    pending_.emplace_back(description, event);
+    if (pending_.size() >= EVENTS_KEPT) drain(false);
+}
+
+// The queue runs in order, so everything before the first unfinished event is finished.
+void Device::drain(bool wait) {
+    if (pending_.empty()) return;
+    if (wait) finish();
+    std::size_t done = 0;
+    for (; done < pending_.size(); ++done) {
+        const auto& [description, event] = pending_[done];
+        const int status = cl_call([&, &text = description] { return "asking about \"" + text + "\" on " + info_.name; },
+                                   [&, &e = event] { return e.getInfo<CL_EVENT_COMMAND_EXECUTION_STATUS>(); });
+        if (status > CL_COMPLETE) break;
+        if (status < 0) {
+            const std::string failed = description;
+            pending_.clear();
+            throw_cl_error(cl::Error(status, "execution"), "running \"" + failed + "\" on " + info_.name);
+        }
+        LaunchTimes& times = times_[description];
+        ++times.launches;
+        times.device_seconds += event_seconds(event);
+    }
+    pending_.erase(pending_.begin(), pending_.begin() + static_cast<std::ptrdiff_t>(done));
+    // A queue that runs far ahead of the device holds memory for each command: let it catch up.
+    if (done == 0 && pending_.size() >= 16 * EVENTS_KEPT) drain(true);
+}
+
+std::map<std::string, LaunchTimes> Device::launch_times() {
+    drain(true);
+    return times_;
+}
+
+void Device::finish() {
+    cl_call([&] { return "waiting for " + info_.name; }, [&] { queue_.finish(); });
+}
+
+}  // namespace pencil

@@ -1,0 +1,84 @@
+// An OpenCL device with its context and queue: discovery, selection, planned memory, profiling. Only host/cl sees the OpenCL headers'
+// settings; include cl/opencl.h, never CL/opencl.hpp.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cl/opencl.h"
+
+namespace pencil {
+
+struct DeviceInfo {
+    int index = 0;  // the number `--device` takes
+    std::string platform, name, vendor, driver, version;
+    bool is_cpu = false;
+    std::uint64_t global_memory = 0, max_allocation = 0, local_memory = 0;  // [bytes]
+    unsigned compute_units = 0, native_float_width = 1;
+    std::size_t max_work_group = 1;
+};
+
+/// All devices of all platforms, in a stable order. Never throws for "none": see `no_device_advice`.
+std::vector<DeviceInfo> list_devices();
+/// What was found instead of a device and the usual causes (research F10: no writable cache directory, POCL_DEVICES, OCL_ICD_VENDORS).
+std::string no_device_advice();
+
+/// Accumulated time of the launches that share a description [s].
+struct LaunchTimes {
+    int launches = 0;
+    double device_seconds = 0;
+};
+
+class Device {
+public:
+    /// `selector`: index, or part of the name or platform (any case), "cpu", "gpu", or empty: $PENCIL_DEVICE if
+    /// set, else first GPU, else first CPU.
+    /// DeviceError if nothing matches, listing what exists.
+    static std::shared_ptr<Device> open(const std::string& selector);
+
+    const DeviceInfo& info() const { return info_; }
+    const cl::Context& context() const { return context_; }
+    cl::CommandQueue& queue() { return queue_; }
+    const cl::Device& cl_device() const { return device_; }
+
+    /// Surfels per work-item in packet kernels (PENCIL_WIDTH): native float width on CPUs (4, 8 or 16), 1 elsewhere;
+    /// $PENCIL_WIDTH (1, 4, 8, 16) overrides it for tests.
+    int packet_width() const;
+    /// Work-items per work-group for packet kernels; fixed, because PoCL generates code per local size (F12).
+    std::size_t local_size() const;
+
+    /// Bookkeeping of planned allocation. `reserve` throws MemoryError, saying what for and how much is free, before anything is allocated.
+    void reserve(std::uint64_t bytes, const std::string& what);
+    void release(std::uint64_t bytes);
+    std::uint64_t allocated() const { return allocated_; }
+    std::uint64_t peak_allocated() const { return peak_; }
+
+    /// Times by launch description, filled by Kernel::run.
+    void record(const std::string& description, const cl::Event& event);
+    std::map<std::string, LaunchTimes> launch_times();  // waits for the queue
+    double build_seconds() const { return build_seconds_; }
+    void add_build_seconds(double s) { build_seconds_ += s; }
+    void finish();
+
+    ~Device();
+    Device(const Device&) = delete;
+    Device& operator=(const Device&) = delete;
+
+private:
+    Device(cl::Device device, DeviceInfo info);
+    void drain(bool wait);
+    cl::Device device_;
+    DeviceInfo info_;
+    cl::Context context_;
+    cl::CommandQueue queue_;
+    int packet_width_ = 1;
+    std::uint64_t allocated_ = 0, peak_ = 0;
+    double build_seconds_ = 0;
+    std::vector<std::pair<std::string, cl::Event>> pending_;
+    std::map<std::string, LaunchTimes> times_;
+};
+
+}  // namespace pencil

@@ -1,0 +1,10 @@
+// PoCL needs a writable cache directory: without one it shows its platform with no device and says nothing.
+#pragma once
+
+namespace pencil {
+
+/// Call before the first OpenCL call. Where PoCL's own cache directory cannot be made and the user chose none, points it to a private
+/// directory below the temporary directory. Does nothing the second time. Must not race with getenv in other threads.
+void prepare_pocl_cache();
+
+}  // namespace pencil

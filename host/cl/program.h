@@ -1,0 +1,89 @@
+// Kernels by name: sources embedded at build time, concatenated in the order given, specialised by defines, built once per device.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "cl/buffer.h"
+#include "cl/device.h"
+
+namespace pencil {
+
+using Defines = std::map<std::string, std::string>;  // PENCIL_X -> value
+
+/// Text of an embedded file, for example "lib/octahedral.cl"; read from $PENCIL_KERNEL_DIR if that is set. An absolute path
+/// is read from disk, which serves kernels that only tests use. Carries a #line directive.
+std::string kernel_source(const std::string& file);
+
+/// Local sizes (x, y or 0) that a kernel was launched with.
+using CompiledSizes = std::set<std::pair<std::size_t, std::size_t>>;
+
+/// A kernel bound to its arguments; `run` launches it. Global sizes are rounded up to the local size: kernels test their bounds.
+class Launch {
+public:
+    Launch(std::shared_ptr<Device> device, cl::Kernel kernel, std::string name,
+           std::shared_ptr<CompiledSizes> compiled = std::make_shared<CompiledSizes>());
+
+    template <typename... Args>
+    Launch& args(const Args&... values) {
+        unsigned index = 0;
+        (set(index++, values), ...);
+        check_argument_count(index);
+        return *this;
+    }
+    /// 1-D; `local` 0: the size the kernel requires (reqd_work_group_size), else the device's local_size(). Larger local sizes than the
+    /// kernel allows on this device are reduced, except required ones: those are a DeviceError. `description` is the profiling key and
+    /// stands in error messages.
+    void run(std::size_t global, const std::string& description, std::size_t local = 0);
+    /// 2-D with local size (local_x, local_y).
+    void run2d(std::size_t global_x, std::size_t global_y, std::size_t local_x, std::size_t local_y, const std::string& description);
+
+private:
+    template <typename T>
+    void set(unsigned index, const Buffer<T>& buffer) {
+        set_buffer(index, buffer.handle());
+    }
+    template <typename T>
+    std::enable_if_t<std::is_trivially_copyable_v<T>> set(unsigned index, const T& value) {
+        set_value(index, &value, sizeof(T));
+    }
+    void set_buffer(unsigned index, const cl::Buffer& buffer);
+    void set_value(unsigned index, const void* value, std::size_t bytes);
+    void check_argument_count(unsigned count);
+    void check_group(std::size_t local_x, std::size_t local_y) const;
+    void enqueue(const cl::NDRange& global, const cl::NDRange& local, const std::string& description);
+
+    std::shared_ptr<Device> device_;
+    cl::Kernel kernel_;
+    std::string name_;
+    std::shared_ptr<CompiledSizes> compiled_;
+    unsigned argument_count_ = 0;
+    std::size_t max_group_ = 1;                    // work-items per group that this kernel allows on this device
+    std::size_t required_x_ = 0, required_y_ = 0;  // reqd_work_group_size, 0 if none
+};
+
+class ProgramCache {
+public:
+    explicit ProgramCache(std::shared_ptr<Device> device) : device_(std::move(device)) {}
+
+    /// The kernel `name` of a program made of `files` (in this order) with `defines`. Builds at first use: -cl-std=CL1.2 -Werror, no
+    /// fast-math (F2); a build failure is a DeviceError with device, options and the whole log. PENCIL_WIDTH is always defined.
+    Launch kernel(const std::string& name, const std::vector<std::string>& files, const Defines& defines = {});
+
+    const std::shared_ptr<Device>& device() const { return device_; }
+    /// Names of the kernels built so far, for --explain and --stats.
+    std::vector<std::string> built() const;
+
+private:
+    cl::Program build(const std::vector<std::string>& files, const Defines& defines);
+    std::shared_ptr<Device> device_;
+    std::map<std::string, cl::Program> programs_;
+    std::map<std::string, std::shared_ptr<CompiledSizes>> compiled_;  // by program and kernel name
+};
+
+}  // namespace pencil

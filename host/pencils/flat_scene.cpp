@@ -1,0 +1,143 @@
+#include "pencils/flat_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pencil {
+
+namespace {
+
+/// Vertices this near a plane, relative to the scene's half extent, lie in it: the rounding of float input coordinates.
+constexpr double kCoplanar = 2e-7;
+
+struct Plane3 {
+    glm::dvec3 normal;
+    double distance;
+};
+
+Normalisation normalise(const Scene& scene) {
+    glm::dvec3 low(HUGE_VAL), high(-HUGE_VAL);
+    auto grow = [&](const glm::dvec3& p) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    };
+    for (const Triangle3& t : scene.triangles)
+        for (int k = 0; k < 3; ++k) grow(scene.positions[t.corners[k]]);
+    for (const PointLight& light : scene.point_lights) grow(light.position);
+    Normalisation n;
+    if (low.x > high.x) return n;
+    n.centre = 0.5 * (low + high);
+    double extent = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+    if (extent > 0) n.scale = std::exp2(std::ceil(std::log2(extent)) - 1);  // extent / scale in (1, 2]
+    return n;
+}
+
+float4 to_float4(const glm::dvec3& v, double w = 0) { return float4(static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), static_cast<float>(w)); }
+
+Plane3 plane_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+    glm::dvec3 normal = glm::normalize(glm::cross(b - a, c - a));
+    return {normal, glm::dot(normal, a)};
+}
+
+bool contains(const Plane3& plane, const Plane3& other, const glm::dvec3* corners) {
+    if (glm::dot(plane.normal, other.normal) < 0.9) return false;
+    for (int k = 0; k < 3; ++k)
+        if (std::abs(glm::dot(plane.normal, corners[k]) - plane.distance) > kCoplanar) return false;
+    return true;
+}
+
+void flatten_triangles(const Scene& scene, FlatScene& flat) {
+    std::vector<glm::dvec3> points;
+    points.reserve(scene.positions.size());
+    for (const glm::dvec3& p : scene.positions) points.push_back(glm::dvec3(glm::vec3(flat.normalisation.to_scene(p))));
+    bool smooth = std::any_of(scene.normals.begin(), scene.normals.end(), [](const glm::vec3& n) { return n != glm::vec3(0); });
+    Plane3 last{};
+    int last_shape = -1;
+    for (const Triangle3& t : scene.triangles) {
+        glm::dvec3 corners[3] = {points[t.corners.x], points[t.corners.y], points[t.corners.z]};
+        if (glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0])) == 0) continue;  // vanished in float
+        Plane3 own = plane_of(corners[0], corners[1], corners[2]);
+        int shape = static_cast<int>(t.shape);
+        // Consecutive triangles of one shape share a plane: quads, cube faces, polygon fans, flat grids.
+        if (shape != last_shape || !contains(last, own, corners)) {
+            flat.planes.push_back(to_float4(own.normal, own.distance));
+            last = own;
+            last_shape = shape;
+        }
+        flat.triangles.push_back(
+            {to_float4(corners[0]), to_float4(corners[1]), to_float4(corners[2]), static_cast<int>(flat.planes.size()) - 1, shape, shape, 0});
+        if (smooth)
+            for (int k = 0; k < 3; ++k) flat.normals.push_back(float4(scene.normals[t.corners[k]], 0.0F));
+    }
+}
+
+void flatten_materials(const Scene& scene, const std::vector<LightForm>& forms, FlatScene& flat) {
+    for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
+        const Shape& shape = scene.shapes[i];
+        const Diffuse& bsdf = scene.bsdfs[shape.bsdf];
+        float carried = shape.emits && forms[i] == LightForm::maps ? 1.0F : 0.0F;
+        flat.materials.push_back({float4(bsdf.albedo, bsdf.two_sided ? 1.0F : 0.0F), float4(shape.emits ? shape.radiance : glm::vec3(0), carried)});
+    }
+}
+
+/// Mitsuba's perspective sensor: +z forward, +x to the left, fov_x over the film's width.
+void flatten_camera(const PerspectiveSensor& sensor, int width, int height, FlatScene& flat) {
+    const double tan_x = std::tan(sensor.fov_x * 3.14159265358979323846 / 360.0);
+    const double pixel = 2.0 * tan_x / width;  // at unit depth
+    glm::dvec3 left = glm::normalize(glm::dvec3(sensor.to_world[0]));
+    glm::dvec3 up = glm::normalize(glm::dvec3(sensor.to_world[1]));
+    glm::dvec3 forward = glm::normalize(glm::dvec3(sensor.to_world[2]));
+    glm::dvec3 step_x = -left * pixel, step_y = -up * pixel;
+    double centre_x = width * (0.5 + sensor.principal_point_offset.x), centre_y = height * (0.5 + sensor.principal_point_offset.y);
+    glm::dvec3 corner = forward - step_x * centre_x - step_y * centre_y;
+    const double scale = flat.normalisation.scale;
+    Camera& camera = flat.camera;
+    camera.origin = to_float4(flat.normalisation.to_scene(glm::dvec3(sensor.to_world[3])));
+    camera.corner = to_float4(corner);
+    camera.step_x = to_float4(step_x);
+    camera.step_y = to_float4(step_y);
+    camera.width = width;
+    camera.height = height;
+    camera.near_clip = static_cast<float>(sensor.near_clip / scale);
+    camera.far_clip = static_cast<float>(sensor.far_clip / scale);
+    // Rows of the inverse of (step_x, step_y, corner): point = depth * (corner + px step_x + py step_y).
+    glm::dmat3 inverse = glm::inverse(glm::dmat3(step_x, step_y, corner));
+    glm::dmat3 rows = glm::transpose(inverse);
+    for (int k = 0; k < 3; ++k) flat.to_film.push_back(to_float4(rows[k]));
+}
+
+}  // namespace
+
+FlatScene flatten(const Scene& scene, const std::vector<LightForm>& forms, int width, int height) {
+    FlatScene flat;
+    flat.normalisation = normalise(scene);
+    flatten_triangles(scene, flat);
+    flatten_materials(scene, forms, flat);
+    flatten_camera(scene.sensor, width > 0 ? width : scene.sensor.width, height > 0 ? height : scene.sensor.height, flat);
+    glm::dvec3 low(HUGE_VAL), high(-HUGE_VAL);
+    for (const Triangle& t : flat.triangles)
+        for (const float4& v : {t.v0, t.v1, t.v2}) {
+            low = glm::min(low, glm::dvec3(v));
+            high = glm::max(high, glm::dvec3(v));
+        }
+    for (const PointLight& light : scene.point_lights) {
+        low = glm::min(low, flat.normalisation.to_scene(light.position));
+        high = glm::max(high, flat.normalisation.to_scene(light.position));
+    }
+    if (low.x <= high.x) {
+        flat.low = low;
+        flat.high = high;
+    }
+    return flat;
+}
+
+std::vector<double> shape_areas(const Scene& scene) {
+    std::vector<double> areas(scene.shapes.size(), 0.0);
+    for (const Triangle3& t : scene.triangles) {
+        const glm::dvec3 &a = scene.positions[t.corners.x], &b = scene.positions[t.corners.y], &c = scene.positions[t.corners.z];
+        areas[t.shape] += 0.5 * glm::length(glm::cross(b - a, c - a));
+    }
+    return areas;
+}
+
+}  // namespace pencil

@@ -1,0 +1,117 @@
+#include "pencils/light_samples.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "pencils/low_discrepancy.h"
+
+namespace pencil {
+
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+double luminance(const glm::vec3& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
+
+struct Corners {
+    glm::dvec3 a, b, c;
+    double area() const { return 0.5 * glm::length(glm::cross(b - a, c - a)); }
+};
+
+Corners corners_of(const Triangle& t) { return {glm::dvec3(t.v0), glm::dvec3(t.v1), glm::dvec3(t.v2)}; }
+
+/// Low-distortion map of the unit square to a triangle's barycentric coordinates (Heitz 2019).
+glm::dvec2 square_to_triangle(glm::dvec2 u) {
+    if (u.y > u.x) {
+        u.x *= 0.5;
+        u.y -= u.x;
+    } else {
+        u.y *= 0.5;
+        u.x -= u.y;
+    }
+    return u;
+}
+
+LightSample area_sample(const Triangle& t, const float4& plane, const glm::dvec3& radiance, double area, const glm::dvec2& u) {
+    Corners p = corners_of(t);
+    glm::dvec2 b = square_to_triangle(u);
+    glm::dvec3 x = p.a + b.x * (p.b - p.a) + b.y * (p.c - p.a);
+    LightSample s{};
+    s.position = float4(glm::vec3(x), 1.0F);
+    s.normal = float4(glm::vec3(plane), static_cast<float>(area / kPi));
+    s.emission = float4(glm::vec3(radiance * area), static_cast<float>(t.plane));
+    return s;
+}
+
+struct ShapeTriangles {
+    std::size_t shape = 0;
+    double area = 0;
+    std::vector<const Triangle*> triangles;
+    std::vector<double> up_to;  // area of the triangles up to and with this one
+};
+
+std::vector<ShapeTriangles> emitting_shapes(const Scene& scene, const FlatScene& flat, const std::vector<LightForm>& forms) {
+    std::vector<ShapeTriangles> emitters;
+    for (const Triangle& t : flat.triangles) {
+        const auto shape = static_cast<std::size_t>(t.shape);
+        if (!scene.shapes[shape].emits || forms[shape] != LightForm::samples || luminance(scene.shapes[shape].radiance) <= 0) continue;
+        if (emitters.empty() || emitters.back().shape != shape) emitters.push_back({shape, 0, {}, {}});
+        ShapeTriangles& e = emitters.back();
+        e.area += corners_of(t).area();
+        e.triangles.push_back(&t);
+        e.up_to.push_back(e.area);
+    }
+    return emitters;
+}
+
+/// Systematic in the area, so that each triangle gets its share to within one sample; low-discrepancy within the triangles.
+void sample_shape(const ShapeTriangles& e, const FlatScene& flat, const glm::dvec3& radiance, long own, std::uint64_t seed,
+                  std::vector<LightSample>& samples) {
+    const glm::dvec2 shift(random_unit(seed, 0, 0), random_unit(seed, 1, 0));
+    const double start = random_unit(seed, 2, 0);
+    for (long k = 0; k < own; ++k) {
+        const double at = (static_cast<double>(k) + start) / static_cast<double>(own) * e.area;
+        auto found = std::upper_bound(e.up_to.begin(), e.up_to.end() - 1, at);
+        const Triangle& t = *e.triangles[static_cast<std::size_t>(found - e.up_to.begin())];
+        samples.push_back(area_sample(t, flat.planes[static_cast<std::size_t>(t.plane)], radiance, e.area / static_cast<double>(own),
+                                      r2_sequence(static_cast<std::uint64_t>(k), shift)));
+    }
+}
+
+}  // namespace
+
+std::vector<LightForm> choose_light_forms(const Scene& scene, bool all_samples, bool all_maps) {
+    std::vector<double> areas = shape_areas(scene);
+    double total = std::accumulate(areas.begin(), areas.end(), 0.0);
+    std::vector<LightForm> forms(scene.shapes.size(), LightForm::samples);
+    for (std::size_t i = 0; i < forms.size(); ++i) {
+        bool large = areas[i] > kLargeEmitter * total;
+        if (scene.shapes[i].emits && (all_maps || (large && !all_samples))) forms[i] = LightForm::maps;
+    }
+    return forms;
+}
+
+std::vector<LightSample> sample_lights(const Scene& scene, const FlatScene& flat, const std::vector<LightForm>& forms, int count,
+                                       std::uint64_t seed) {
+    std::vector<LightSample> samples;
+    const double scale = flat.normalisation.scale;
+    for (const PointLight& light : scene.point_lights) {
+        LightSample s{};
+        s.position = float4(glm::vec3(flat.normalisation.to_scene(light.position)), 0.0F);
+        s.emission = float4(glm::vec3(glm::dvec3(light.intensity) / (scale * scale)), -1.0F);
+        samples.push_back(s);
+    }
+    // Each emitting shape gets samples in proportion to its power, at least one, spread over its triangles by area.
+    std::vector<ShapeTriangles> emitters = emitting_shapes(scene, flat, forms);
+    double total = 0;
+    for (const ShapeTriangles& e : emitters) total += e.area * luminance(scene.shapes[e.shape].radiance);
+    for (const ShapeTriangles& e : emitters) {
+        const glm::dvec3 radiance(scene.shapes[e.shape].radiance);
+        const double share = e.area * luminance(scene.shapes[e.shape].radiance) / total;
+        const long own = std::max(std::lround(share * count), 1L);
+        sample_shape(e, flat, radiance, own, hash64(seed) ^ e.shape, samples);
+    }
+    return samples;
+}
+
+}  // namespace pencil

@@ -1,0 +1,22 @@
+// Light samples for direct light: point samples of the emitters, stratified by power (thesis 6.1.3).
+#pragma once
+
+#include <vector>
+
+#include "pencils/flat_scene.h"
+#include "shared/light.h"
+
+namespace pencil {
+
+/// One sample per point light, and `count` (at least one per emitting shape) over the area emitters of form `samples`, in proportion
+/// to their power. Radiance is unchanged by the scene's scale; intensities and areas are turned into scene units.
+std::vector<LightSample> sample_lights(const Scene& scene, const FlatScene& flat, const std::vector<LightForm>& forms, int count,
+                                       std::uint64_t seed);
+
+/// `automatic` per emitting shape: an emitter of more than kLargeEmitter of the scene's surface is carried by the maps.
+std::vector<LightForm> choose_light_forms(const Scene& scene, bool all_samples, bool all_maps);
+
+/// Share of the scene's surface above which point samples of an emitter lie too near what they light.
+constexpr double kLargeEmitter = 0.05;
+
+}  // namespace pencil

@@ -1,0 +1,47 @@
+// A mesh in its own coordinates, as a file or a built-in shape gives it, and the step that places it in a scene.
+#pragma once
+
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace pencil {
+
+/// Counter-clockwise triangles seen from the front.
+struct Mesh {
+    std::vector<glm::dvec3> positions;
+    std::vector<glm::dvec3> normals;  // as many as positions, or none; a zero vector means none for that vertex
+    std::vector<glm::uvec3> triangles;
+};
+
+struct Placement {
+    glm::dmat4 to_world{1.0};
+    bool flip_normals = false;  // turns front to back
+    bool face_normals = false;  // drops the mesh's normals
+};
+
+constexpr std::size_t max_triangles = std::size_t{1} << 26;  // of a scene: beyond any that fits a device's memory with its maps
+
+/// What placing a mesh did to its triangles.
+struct PlacementCounts {
+    std::size_t dropped = 0;  // of zero area
+    std::size_t turned = 0;   // wound against their vertex normals, and so turned round
+};
+
+/// Appends the mesh, transformed, to the scene's arrays as triangles of shape number `shape`. The side of the transformed normal stays
+/// the front, under mirroring too. Vertices that no kept triangle uses are left out. `where` is blamed for coordinates out of range.
+PlacementCounts place_mesh(const Mesh& mesh, const Placement& placement, std::uint32_t shape, const std::string& where, Scene& scene);
+
+/// [-1, 1]^2 at z = 0, front towards +z.
+Mesh make_rectangle();
+/// [-1, 1]^3, fronts outward.
+Mesh make_cube();
+/// Unit sphere as an icosahedron divided three times: 1280 triangles with vertices on the sphere and its normals. The flat triangles have
+/// 0.8 % less area than the sphere and lie up to 0.6 % of the radius inside it.
+Mesh make_sphere();
+
+}  // namespace pencil

@@ -1,0 +1,24 @@
+// Images from files, as linear or display values just as they are stored. Files are untrusted: formats are told by content, sizes are
+// checked before memory is taken.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace pencil {
+
+struct Image {
+    int width = 0, height = 0;
+    std::vector<std::string> channels;  // for example "R", "G", "B", "direct.R"
+    std::vector<float> pixels;          // rows from the top, channels interleaved; 8-bit values are divided by 255
+};
+
+constexpr std::uint64_t largest_image = std::uint64_t{4} << 30;  // [bytes as float]
+
+/// Reads an OpenEXR (first part), PNG or Radiance HDR file. SceneError naming the file if it is none of these, damaged, deep, or would
+/// take more than `most_bytes`.
+Image read_image(const std::filesystem::path& path, std::uint64_t most_bytes = largest_image);
+
+}  // namespace pencil

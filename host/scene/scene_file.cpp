@@ -1,0 +1,60 @@
+// A scene may come from anywhere, so it must not make the program read files elsewhere, or devices that never end.
+#include "scene/scene_file.h"
+
+#include <algorithm>
+#include <fstream>
+
+#include "scene/text.h"
+#include "util/error.h"
+
+namespace pencil {
+
+namespace fs = std::filesystem;
+
+std::string shown(const fs::path& file) { return escaped(file.string(), 200); }
+
+std::string read_regular_file(const fs::path& file, std::uintmax_t max_bytes, const std::string& where) {
+    std::error_code error;
+    const fs::file_status status = fs::status(file, error);
+    if (status.type() == fs::file_type::not_found) throw SceneError(where, in_quotes(file.string()) + " does not exist");
+    if (error) throw SceneError(where, "cannot open " + in_quotes(file.string()) + ": " + error.message());
+    if (status.type() == fs::file_type::directory) throw SceneError(where, in_quotes(file.string()) + " is a directory, not a file");
+    if (status.type() != fs::file_type::regular) throw SceneError(where, in_quotes(file.string()) + " is not a regular file");
+    const std::uintmax_t size = fs::file_size(file, error);
+    if (error) throw SceneError(where, "cannot read " + in_quotes(file.string()) + ": " + error.message());
+    if (size > max_bytes) {
+        throw SceneError(where,
+                         in_quotes(file.string()) + " has " + std::to_string(size) + " bytes, the limit is " + std::to_string(max_bytes));
+    }
+    std::ifstream stream(file, std::ios::binary);
+    std::string content(static_cast<std::size_t>(size), '\0');
+    if (!stream) throw SceneError(where, "cannot open " + in_quotes(file.string()) + ": no permission to read it?");
+    if (!stream.read(content.data(), static_cast<std::streamsize>(size)))
+        throw SceneError(where, "cannot read " + in_quotes(file.string()));
+    return content;
+}
+
+fs::path path_inside(const fs::path& folder, const std::string& name, const std::string& where) {
+    const fs::path path(name);
+    if (name.empty()) throw SceneError(where, "the file name is empty");
+    if (name.find('\0') != std::string::npos || name.find(':') != std::string::npos || name.find('\\') != std::string::npos) {
+        throw SceneError(where, "file name " + in_quotes(name) + " is refused: give a relative path with forward slashes");
+    }
+    if (path.is_absolute()) {
+        throw SceneError(where,
+                         "file name " + in_quotes(name) + " is absolute: files must lie in the scene's folder, named relative to it");
+    }
+    if (std::find(path.begin(), path.end(), fs::path("..")) != path.end()) {
+        throw SceneError(where, "file name " + in_quotes(name) + " is refused: \"..\" may leave the scene's folder");
+    }
+    std::error_code error;
+    const fs::path root = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, error);
+    const fs::path target = error ? fs::path() : fs::weakly_canonical(folder / path, error);
+    if (error) throw SceneError(where, "cannot follow " + in_quotes(name) + ": " + error.message());
+    if (std::mismatch(root.begin(), root.end(), target.begin(), target.end()).first != root.end()) {
+        throw SceneError(where, "file name " + in_quotes(name) + " is refused: it is a link that leaves the scene's folder");
+    }
+    return folder / path;
+}
+
+}  // namespace pencil

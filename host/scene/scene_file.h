@@ -1,0 +1,22 @@
+// Opening the files that a scene names: only regular files, only inside the scene's folder, only up to a size.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace pencil {
+
+constexpr std::uintmax_t max_xml_bytes = std::uintmax_t{16} << 20;  // hand-written or exported scenes; meshes are files of their own
+constexpr std::uintmax_t max_mesh_bytes = std::uintmax_t{2} << 30;
+
+/// The path as given, safe to print.
+std::string shown(const std::filesystem::path& file);
+
+/// `where` is blamed: the scene line that names the file, or the file itself.
+std::string read_regular_file(const std::filesystem::path& file, std::uintmax_t max_bytes, const std::string& where);
+
+/// `name`, relative to `folder` and inside it after symbolic links have been followed.
+std::filesystem::path path_inside(const std::filesystem::path& folder, const std::string& name, const std::string& where);
+
+}  // namespace pencil

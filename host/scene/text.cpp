@@ -1,0 +1,140 @@
+// std::from_chars does the reading: it knows no locale, and it stops at the first wrong character, which is then an error.
+#include "scene/text.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+
+namespace pencil {
+namespace {
+
+constexpr std::string_view blanks = " \t\r\n\f\v";
+
+/// Length of the UTF-8 sequence that `text` begins with, 0 if it is not one (overlong and surrogate forms included).
+std::size_t utf8_length(std::string_view text) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    if (byte(0) < 0x80) return 1;
+    const std::size_t length = byte(0) >= 0xF0 ? 4 : byte(0) >= 0xE0 ? 3 : 2;
+    if (byte(0) < 0xC2 || byte(0) > 0xF4 || text.size() < length) return 0;
+    for (std::size_t i = 1; i < length; ++i) {
+        if ((byte(i) & 0xC0) != 0x80) return 0;
+    }
+    if ((byte(0) == 0xE0 && byte(1) < 0xA0) || (byte(0) == 0xED && byte(1) > 0x9F)) return 0;
+    if ((byte(0) == 0xF0 && byte(1) < 0x90) || (byte(0) == 0xF4 && byte(1) > 0x8F)) return 0;
+    return length;
+}
+
+bool is_control(std::string_view sequence) {
+    const auto first = static_cast<unsigned char>(sequence[0]);
+    if (sequence.size() == 1) return first < 0x20 || first == 0x7F;
+    return first == 0xC2 && static_cast<unsigned char>(sequence[1]) < 0xA0;  // U+0080 to U+009F
+}
+
+/// from_chars takes no plus sign; numbers in files may carry one.
+std::string_view without_plus(std::string_view text) { return text.size() > 1 && text[0] == '+' && text[1] != '-' ? text.substr(1) : text; }
+
+}  // namespace
+
+std::string escaped(std::string_view text, std::size_t limit) {
+    std::string result;
+    for (std::size_t i = 0; i < text.size();) {
+        if (result.size() >= limit) return result + "...";
+        const std::size_t length = utf8_length(text.substr(i));
+        const std::string_view sequence = text.substr(i, std::max<std::size_t>(length, 1));
+        if (length == 0 || is_control(sequence)) {
+            for (const char c : sequence) {
+                char code[8];
+                std::snprintf(code, sizeof code, "\\x%02x", static_cast<unsigned>(static_cast<unsigned char>(c)));
+                result += code;
+            }
+        } else {
+            result += sequence;
+        }
+        i += sequence.size();
+    }
+    return result;
+}
+
+std::string in_quotes(std::string_view text) { return '"' + escaped(text) + '"'; }
+
+bool is_utf8(std::string_view text) {
+    for (std::size_t i = 0; i < text.size();) {
+        const std::size_t length = utf8_length(text.substr(i, 4));
+        if (length == 0) return false;
+        i += length;
+    }
+    return true;
+}
+
+std::string_view trimmed(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(blanks);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+std::vector<std::string_view> tokens(std::string_view text) {
+    constexpr std::string_view separators = " \t\r\n\f\v,";
+    std::vector<std::string_view> result;
+    for (std::size_t i = text.find_first_not_of(separators); i != std::string_view::npos;) {
+        const std::size_t end = std::min(text.find_first_of(separators, i), text.size());
+        result.push_back(text.substr(i, end - i));
+        i = text.find_first_not_of(separators, end);
+    }
+    return result;
+}
+
+std::optional<double> parse_number(std::string_view text) {
+    text = without_plus(trimmed(text));
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+    return value;
+}
+
+std::optional<long long> parse_integer(std::string_view text) {
+    text = without_plus(trimmed(text));
+    long long value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+std::string number_defect(std::string_view text) {
+    const std::string_view number = without_plus(trimmed(text));
+    if (number.empty()) return "a number is missing (the text is empty)";
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
+    if (error == std::errc::result_out_of_range) return in_quotes(text) + " is outside the range of double precision";
+    if (error != std::errc()) return in_quotes(text) + " is not a number";
+    if (!std::isfinite(value)) return in_quotes(text) + " is not a finite number";
+    if (*end == ',') return in_quotes(text) + " is not a number (the decimal mark is a point)";
+    return in_quotes(text) + " is not a number: unexpected " + in_quotes(number.substr(static_cast<std::size_t>(end - number.data())));
+}
+
+std::string closest_name(const std::string& name, const std::vector<std::string>& candidates) {
+    constexpr std::size_t longest_name = 64;  // the distance below is quadratic in it
+    if (name.size() > longest_name) return {};
+    std::string best;
+    std::size_t best_distance = 1 + std::min<std::size_t>(name.size() / 3, 3);  // a third of the letters may differ
+    for (const std::string& candidate : candidates) {
+        std::vector<std::size_t> row(candidate.size() + 1);  // Levenshtein, one row at a time
+        std::iota(row.begin(), row.end(), std::size_t{0});
+        for (std::size_t i = 0; i < name.size(); ++i) {
+            std::size_t diagonal = row[0]++;
+            for (std::size_t j = 0; j < candidate.size(); ++j) {
+                const std::size_t above = row[j + 1];
+                row[j + 1] = std::min({above + 1, row[j] + 1, diagonal + (name[i] == candidate[j] ? 0 : 1)});
+                diagonal = above;
+            }
+        }
+        if (row.back() < best_distance) {
+            best_distance = row.back();
+            best = candidate;
+        }
+    }
+    return best;
+}
+
+}  // namespace pencil

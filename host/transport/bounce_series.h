@@ -1,0 +1,30 @@
+// Convergence of the bounce series: when to stop, what is left, and the geometric tail that closes it (pure arithmetic, no device).
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <vector>
+
+namespace pencil {
+
+class BounceSeries {
+public:
+    /// Mean radiance of the maps that carry the next order of bounces.
+    void add(const glm::dvec3& mean) { means_.push_back(mean); }
+
+    std::size_t steps() const { return means_.size(); }
+    /// The last order relative to the sum, largest channel; 1 before anything was added, 0 if there is no light.
+    double last_share() const;
+    /// Ratio of successive orders per channel over the last two steps, below kLargestRatio.
+    glm::dvec3 ratio() const;
+    /// Sum of all orders that follow the last, relative to the last: r / (1 - r).
+    glm::dvec3 tail_factor() const;
+    /// True if the orders do not decrease: albedo (nearly) 1 in a closed scene.
+    bool diverges() const;
+
+    static constexpr double kLargestRatio = 0.999;
+
+private:
+    std::vector<glm::dvec3> means_;
+};
+
+}  // namespace pencil

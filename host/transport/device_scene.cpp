@@ -1,0 +1,13 @@
+#include "transport/device_scene.h"
+
+namespace pencil {
+
+DeviceScene::DeviceScene(const std::shared_ptr<Device>& device, const FlatScene& flat)
+    : triangle_count(static_cast<int>(flat.triangles.size())),
+      triangles(device, flat.triangles, "triangles"),
+      planes(device, flat.planes, "planes"),
+      materials(device, flat.materials, "materials"),
+      normals(device, flat.normals, "vertex normals"),
+      to_film(device, flat.to_film, "film projection") {}
+
+}  // namespace pencil

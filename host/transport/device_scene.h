@@ -1,0 +1,20 @@
+// The flattened scene in device memory.
+#pragma once
+
+#include "cl/buffer.h"
+#include "pencils/flat_scene.h"
+
+namespace pencil {
+
+struct DeviceScene {
+    DeviceScene(const std::shared_ptr<Device>& device, const FlatScene& flat);
+
+    int triangle_count;
+    Buffer<Triangle> triangles;
+    Buffer<float4> planes;
+    Buffer<Material> materials;
+    Buffer<float4> normals;  // empty unless Features::smooth
+    Buffer<float4> to_film;
+};
+
+}  // namespace pencil

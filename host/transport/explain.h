@@ -1,0 +1,17 @@
+// Decisions of a render in plain sentences, for --explain: what was chosen and why, and what the scene does not need.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pencils/flat_scene.h"
+#include "pencils/place_pencils.h"
+#include "transport/features.h"
+#include "transport/render.h"
+
+namespace pencil {
+
+std::vector<std::string> explain(const Scene& scene, const RenderOptions& options, const std::vector<LightForm>& forms, const Features& features,
+                                 const Solids& solids, const Device& device);
+
+}  // namespace pencil

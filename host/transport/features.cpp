@@ -1,0 +1,27 @@
+#include "transport/features.h"
+
+namespace pencil {
+
+Features detect_features(const FlatScene& scene, bool thesis_weights, int film_samples) {
+    Features features;
+    features.smooth = !scene.normals.empty();
+    features.thesis_weights = thesis_weights;
+    features.film_samples = film_samples;
+    return features;
+}
+
+Defines to_defines(const Features& features) {
+    return {{"PENCIL_SMOOTH", features.smooth ? "1" : "0"},
+            {"PENCIL_WEIGHTS_THESIS", features.thesis_weights ? "1" : "0"},
+            {"PENCIL_FILM_SAMPLES", std::to_string(features.film_samples)}};
+}
+
+Launch Kernels::get(const std::string& name, const std::vector<std::string>& libraries) {
+    std::vector<std::string> files = {"shared/types.h",  "shared/atlas.h",  "shared/geometry.h", "shared/camera.h",
+                                      "shared/surfel.h", "shared/light.h", "shared/film.h"};
+    for (const std::string& library : libraries) files.push_back("lib/" + library + ".cl");
+    files.push_back(name + ".cl");
+    return cache_.kernel(name, files, to_defines(features_));
+}
+
+}  // namespace pencil

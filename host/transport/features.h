@@ -1,0 +1,38 @@
+// What a scene and its options need, found once; to_defines is the only place that turns it into kernel defines.
+#pragma once
+
+#include "cl/program.h"
+#include "pencils/flat_scene.h"
+
+namespace pencil {
+
+struct Features {
+    bool smooth = false;          // some triangle has vertex normals: interpolated shading normals
+    bool thesis_weights = false;  // printed normaliser, eq. (5.33)
+    int film_samples = 16;        // visibility samples per pixel
+};
+
+Features detect_features(const FlatScene& scene, bool thesis_weights, int film_samples);
+Defines to_defines(const Features& features);
+
+/// Kernels of one render: the program cache with the render's specialisation.
+class Kernels {
+public:
+    Kernels(std::shared_ptr<Device> device, const Features& features) : cache_(std::move(device)), features_(features) {}
+    /// Kernel `name` from kernels/<name>.cl behind the shared headers and `libraries` ("packet" is lib/packet.cl), in this order.
+    Launch get(const std::string& name, const std::vector<std::string>& libraries);
+    const std::shared_ptr<Device>& device() const { return cache_.device(); }
+    const Features& features() const { return features_; }
+    ProgramCache& cache() { return cache_; }
+    /// Work-items that cover `surfels` in packets.
+    std::size_t packets(int surfels) const {
+        int width = device()->packet_width();
+        return static_cast<std::size_t>((surfels + width - 1) / width);
+    }
+
+private:
+    ProgramCache cache_;
+    Features features_;
+};
+
+}  // namespace pencil

@@ -1,0 +1,99 @@
+#include "transport/film.h"
+
+#include <algorithm>
+
+namespace pencil {
+
+namespace {
+
+/// Strips are as high as this much memory for hits allows: enough rows to keep all units busy, little beside the rest.
+constexpr std::size_t kStripBytes = std::size_t{96} << 20;
+/// Rows per work-item of the film rasteriser.
+constexpr int kBandRows = 8;
+/// Surfels per pixel that the estimate assumes, and rgb layers held at once.
+constexpr double kSurfelsPerPixel = 1.2;
+constexpr int kLayersHeld = 4;
+
+int rows_per_strip(const Camera& camera, int samples) {
+    const std::size_t row = static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(samples) * sizeof(Hit);
+    return static_cast<int>(std::clamp<std::size_t>(kStripBytes / row, 1, static_cast<std::size_t>(camera.height)));
+}
+
+std::size_t pixel_count(const Camera& camera) { return static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height); }
+
+}  // namespace
+
+double film_bytes(double pixels, int samples) {
+    return pixels * (samples + 1 + 4 + kSurfelsPerPixel * 4 * (SURFEL_FIELDS + 3 * kLayersHeld) + 3 * 4);
+}
+
+Film::Film(Kernels& kernels, const DeviceScene& scene, const Camera& camera, const ReconstructionFilter& filter, std::uint64_t seed)
+    : camera_(camera), samples_(kernels.features().film_samples), strip_rows_(rows_per_strip(camera, samples_)) {
+    const auto& device = kernels.device();
+    const std::vector<glm::vec2> offsets = film_sample_offsets(samples_, seed);
+    const FilterTable table = tabulate_filter(filter, offsets);
+    reach_ = table.reach;
+    offsets_ = Buffer<glm::vec2>(device, offsets, "film sample offsets");
+    weights_ = Buffer<float>(device, table.weights, "filter weights");
+    totals_ = Buffer<float>(device, table.totals, "filter totals");
+    slots_ = Buffer<unsigned char>(device, pixel_count(camera_) * static_cast<std::size_t>(samples_), "film sample slots");
+    counts_ = Buffer<unsigned char>(device, pixel_count(camera_), "film surfel counts");
+    hits_ = Buffer<Hit>(device, static_cast<std::size_t>(strip_rows_) * static_cast<std::size_t>(camera_.width * samples_), "film hits");
+    const bool one_strip = strip_rows_ == camera_.height;
+    for (int row = 0; row < camera_.height; row += strip_rows_) {
+        const int rows = std::min(strip_rows_, camera_.height - row);
+        rasterize(kernels, scene, row, rows);
+        classify(kernels, scene, row, rows);
+    }
+    surfels_ = Surfels(device, number_surfels(device), "film surfels");
+    for (int row = 0; row < camera_.height; row += strip_rows_) {
+        const int rows = std::min(strip_rows_, camera_.height - row);
+        if (!one_strip) rasterize(kernels, scene, row, rows);
+        write_surfels(kernels, scene, row, rows);
+    }
+    hits_ = Buffer<Hit>();
+}
+
+void Film::rasterize(Kernels& kernels, const DeviceScene& scene, int first_row, int rows) {
+    const int bands = (rows + kBandRows - 1) / kBandRows;
+    kernels.get("rasterize_film", {"packet", "octahedral", "triangle", "raster"})
+        .args(scene.triangles, scene.triangle_count, scene.planes, camera_, scene.to_film, offsets_, samples_, first_row, rows, kBandRows, hits_)
+        .run(static_cast<std::size_t>(bands) * static_cast<std::size_t>(samples_), "rasterize film", 1);
+}
+
+void Film::classify(Kernels& kernels, const DeviceScene& scene, int first_row, int rows) {
+    kernels.get("classify_film", {})
+        .args(hits_, camera_, offsets_, samples_, first_row, rows, scene.triangles, scene.planes, slots_, counts_)
+        .run(static_cast<std::size_t>(rows) * static_cast<std::size_t>(camera_.width), "classify film samples");
+}
+
+/// Running sum of the counts, on the host: it is one byte per pixel, and the total is needed here to allocate the surfels.
+int Film::number_surfels(const std::shared_ptr<Device>& device) {
+    const std::vector<unsigned char> counts = counts_.read();
+    std::vector<int> first(counts.size());
+    int next = 0;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        first[i] = next;
+        next += counts[i] & FILM_COUNT_MASK;
+    }
+    first_surfel_ = Buffer<int>(device, first, "first surfels");
+    return next;
+}
+
+void Film::write_surfels(Kernels& kernels, const DeviceScene& scene, int first_row, int rows) {
+    kernels.get("film_surfels", {"octahedral", "triangle", "surfel"})
+        .args(hits_, camera_, offsets_, samples_, first_row, rows, slots_, counts_, first_surfel_, scene.triangles, scene.planes,
+              scene.materials, scene.normals, surfels_.data, surfels_.capacity)
+        .run(static_cast<std::size_t>(rows) * static_cast<std::size_t>(camera_.width), "film surfels");
+}
+
+std::vector<float> Film::resolve(Kernels& kernels, const Buffer<float>& values, int first_field) const {
+    Buffer<float> image(kernels.device(), pixel_count(camera_) * 3, "resolved layer");
+    kernels.get("resolve_film", {})
+        .args(values, first_field, surfels_.capacity, slots_, counts_, first_surfel_, weights_, totals_, reach_, samples_, camera_.width,
+              camera_.height, image)
+        .run(pixel_count(camera_), "resolve film");
+    return image.read();
+}
+
+}  // namespace pencil

@@ -1,0 +1,14 @@
+// Launcher of kernels/gather_surfels.cl.
+#pragma once
+
+#include "transport/device_scene.h"
+#include "transport/features.h"
+#include "transport/pencil_set.h"
+#include "transport/surfels.h"
+
+namespace pencil {
+
+/// Surfels of all texels of tiles `first` .. `first + count`, in order of tile, row, column. Sets surfels.count.
+void gather_surfels(Kernels& kernels, const DeviceScene& scene, const GeometryMaps& maps, int first, int count, Surfels& surfels);
+
+}  // namespace pencil

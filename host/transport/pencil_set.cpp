@@ -1,0 +1,31 @@
+#include "transport/pencil_set.h"
+
+namespace pencil {
+
+namespace {
+
+std::size_t atlas_texels(std::size_t tiles, int n) { return tiles * static_cast<std::size_t>(PENCIL_TILE_TEXELS(n)); }
+
+std::vector<float4> positions_of(const std::vector<LightSample>& samples) {
+    std::vector<float4> positions;
+    positions.reserve(samples.size());
+    for (const LightSample& s : samples) positions.emplace_back(glm::vec3(s.position), 0.0F);
+    return positions;
+}
+
+}  // namespace
+
+GeometryMaps::GeometryMaps(const std::shared_ptr<Device>& device, const std::vector<float4>& positions, int tile_size, const std::string& what)
+    : count(static_cast<int>(positions.size())),
+      n(tile_size),
+      cops(device, positions, what + " centres"),
+      hits(device, atlas_texels(positions.size(), tile_size), what + " geometry maps"),
+      plane_atlas(device, atlas_texels(positions.size(), tile_size), what + " plane maps") {}
+
+PencilSet::PencilSet(const std::shared_ptr<Device>& device, std::shared_ptr<GeometryMaps> geometry)
+    : maps(std::move(geometry)), radiance(device, atlas_texels(static_cast<std::size_t>(maps->count), maps->n), "pencil radiance maps") {}
+
+LightSet::LightSet(const std::shared_ptr<Device>& device, const std::vector<LightSample>& light_samples, int tile_size)
+    : samples(device, light_samples, "light samples"), maps(device, positions_of(light_samples), tile_size, "light sample") {}
+
+}  // namespace pencil

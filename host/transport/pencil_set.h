@@ -1,0 +1,44 @@
+// A set of pencils in device memory: centres and atlases of n x n tiles (kernels/shared/atlas.h). Also the geometry maps of light samples.
+#pragma once
+
+#include <vector>
+
+#include "cl/buffer.h"
+#include "shared/types.h"
+#include "shared/atlas.h"
+#include "shared/geometry.h"
+#include "shared/light.h"
+
+namespace pencil {
+
+/// Geometry maps: what every texel of every tile sees.
+struct GeometryMaps {
+    GeometryMaps() = default;
+    GeometryMaps(const std::shared_ptr<Device>& device, const std::vector<float4>& positions, int tile_size, const std::string& what);
+
+    int count = 0;  // tiles
+    int n = 0;      // texels along a side
+    Buffer<float4> cops;
+    Buffer<Hit> hits;
+    Buffer<int> plane_atlas;
+};
+
+/// Pencils: geometry maps with radiance (rgb) and density weight 1/D (w) per texel. Sets of one fixed iteration share their maps.
+struct PencilSet {
+    PencilSet() = default;
+    PencilSet(const std::shared_ptr<Device>& device, std::shared_ptr<GeometryMaps> geometry);
+
+    std::shared_ptr<GeometryMaps> maps;
+    Buffer<float4> radiance;
+};
+
+/// Light samples with their geometry maps.
+struct LightSet {
+    LightSet() = default;
+    LightSet(const std::shared_ptr<Device>& device, const std::vector<LightSample>& light_samples, int tile_size);
+
+    Buffer<LightSample> samples;
+    GeometryMaps maps;
+};
+
+}  // namespace pencil

@@ -1,0 +1,83 @@
+#include "transport/pencil_solver.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "transport/emit_surfels.h"
+#include "transport/estimate_density.h"
+#include "transport/gather_surfels.h"
+#include "transport/light_surfels.h"
+#include "transport/project_pencils.h"
+#include "transport/rasterize_octahedral.h"
+#include "transport/store_radiance.h"
+#include "transport/test_visibility.h"
+
+namespace pencil {
+
+namespace {
+
+/// Sets do not shrink below this: bounces late in the series are smooth, but not constant.
+constexpr int kSmallestSet = 16;
+/// Surfels of maps that are worked on at once: bounds memory and the length of a launch.
+constexpr int kChunkSurfels = 1 << 20;
+/// Masks of one chunk take at most this much [bytes].
+constexpr std::size_t kMaskBytes = std::size_t{128} << 20;
+
+int chunk_tiles(int n, int pencils) {
+    const std::size_t texels = static_cast<std::size_t>(n) * static_cast<std::size_t>(n);
+    const std::size_t by_mask = kMaskBytes / (sizeof(uint) * static_cast<std::size_t>(mask_words(pencils)) * texels);
+    const std::size_t by_surfels = kChunkSurfels / texels;
+    return static_cast<int>(std::clamp<std::size_t>(std::min(by_mask, by_surfels), 1, static_cast<std::size_t>(pencils)));
+}
+
+}  // namespace
+
+PencilSolver::PencilSolver(Kernels& kernels, const DeviceScene& scene, const FlatScene& flat, const Solids& solids, const LightSet& lights,
+                           const RenderOptions& options, StageClock& clock)
+    : kernels_(kernels), scene_(scene), flat_(flat), solids_(solids), lights_(lights), options_(options), clock_(clock) {}
+
+int PencilSolver::set_size(int index) const {
+    const double size = options_.pencils * std::pow(options_.decay, index);
+    return std::max(static_cast<int>(std::lround(size)), std::min(options_.pencils, kSmallestSet));
+}
+
+PencilSet PencilSolver::create(int index) {
+    PencilSet set;
+    times_.maps += clock_.run("pencil maps", [&] {
+        const Sequence sequence = options_.placement == Placement::random ? Sequence::random : Sequence::low_discrepancy;
+        const std::vector<float4> centres = place_pencils(flat_, solids_, sequence, set_size(index), index, options_.seed);
+        set = PencilSet(kernels_.device(), std::make_shared<GeometryMaps>(kernels_.device(), centres, options_.map, "pencil"));
+        rasterize_octahedral(kernels_, scene_, *set.maps, 0, set.maps->count);
+    });
+    return set;
+}
+
+void PencilSolver::fill(PencilSet& target, const PencilSet* source, bool emission, bool direct, bool density) {
+    const auto& device = kernels_.device();
+    const int n = target.maps->n;
+    const int tiles = chunk_tiles(n, target.maps->count);
+    Surfels surfels(device, tiles * n * n, "surfels of pencil maps");
+    Buffer<float> outgoing = surfel_rgb(device, surfels.capacity, "radiance of pencil maps");
+    Buffer<int> visible(device, static_cast<std::size_t>(surfels.capacity), "visible pencils");
+    Buffer<uint> mask;
+    if (density) mask = Buffer<uint>(device, static_cast<std::size_t>(surfels.capacity) * static_cast<std::size_t>(mask_words(target.maps->count)), "visibility masks");
+    for (int first = 0; first < target.maps->count; first += tiles) {
+        const int count = std::min(tiles, target.maps->count - first);
+        times_.transport += clock_.run(source ? "pencil transport" : "initial gather", [&] {
+            gather_surfels(kernels_, scene_, *target.maps, first, count, surfels);
+            outgoing.fill_zero();
+            if (emission) emit_surfels(kernels_, scene_, surfels, true, outgoing);
+            if (direct) light_surfels(kernels_, scene_, surfels, lights_, outgoing, "direct light to pencils");
+            if (source) project_pencils(kernels_, scene_, surfels, *source, outgoing, visible, "pencil transport");
+            if (!density) store_radiance(kernels_, surfels, outgoing, first, count, target);
+        });
+        if (!density) continue;
+        clock_.run("pencil density", [&] {
+            test_visibility(kernels_, scene_, surfels, *target.maps, mask);
+            estimate_density(kernels_, surfels, mask, first, target);
+            store_radiance(kernels_, surfels, outgoing, first, count, target);
+        });
+    }
+}
+
+}  // namespace pencil

@@ -1,0 +1,47 @@
+// One pencil set after the other: creation, initial gather, transport. Knows kernels and sets, not the film.
+#pragma once
+
+#include "pencils/place_pencils.h"
+#include "transport/device_scene.h"
+#include "transport/features.h"
+#include "transport/pencil_set.h"
+#include "transport/render.h"
+#include "transport/stage_clock.h"
+#include "transport/surfels.h"
+
+namespace pencil {
+
+/// Device seconds of making one set.
+struct SetTimes {
+    double maps = 0, transport = 0;
+};
+
+class PencilSolver {
+public:
+    PencilSolver(Kernels& kernels, const DeviceScene& scene, const FlatScene& flat, const Solids& solids, const LightSet& lights,
+                 const RenderOptions& options, StageClock& clock);
+
+    /// Set number `index` of the series: its size by --decay, its centres, geometry maps.
+    int set_size(int index) const;
+    PencilSet create(int index);
+
+    /// What the texels of `target` send to their centres, which becomes its radiance: emission that the maps carry (`emission`), reflected
+    /// direct light (`direct`), and the radiance of `source` after one more bounce (if not null; thesis alg. 6.3). With `density` the
+    /// quadrature weights of the set are made too (alg. 6.1).
+    void fill(PencilSet& target, const PencilSet* source, bool emission, bool direct, bool density);
+
+    const SetTimes& times() const { return times_; }
+    void reset_times() { times_ = {}; }
+
+private:
+    Kernels& kernels_;
+    const DeviceScene& scene_;
+    const FlatScene& flat_;
+    const Solids& solids_;
+    const LightSet& lights_;
+    const RenderOptions& options_;
+    StageClock& clock_;
+    SetTimes times_;
+};
+
+}  // namespace pencil

@@ -1,0 +1,14 @@
+// Launcher of kernels/sum_radiance.cl.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "transport/features.h"
+#include "transport/pencil_set.h"
+
+namespace pencil {
+
+/// Mean radiance over all texels of the set's maps [W m^-2 sr^-1].
+glm::dvec3 sum_radiance(Kernels& kernels, const PencilSet& set);
+
+}  // namespace pencil

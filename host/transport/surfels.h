@@ -1,0 +1,33 @@
+// Surfels in device memory, structure of arrays (kernels/shared/surfel.h), and rgb values per surfel.
+#pragma once
+
+#include "cl/buffer.h"
+#include "shared/surfel.h"
+
+namespace pencil {
+
+/// Capacities are multiples of this, so that packets of any width may touch the tail.
+constexpr int kSurfelMultiple = 16;
+
+inline int surfel_capacity(int count) { return (count + kSurfelMultiple - 1) / kSurfelMultiple * kSurfelMultiple; }
+
+struct Surfels {
+    Surfels() = default;
+    Surfels(const std::shared_ptr<Device>& device, int surfel_count, const std::string& what)
+        : capacity(surfel_capacity(surfel_count)), count(surfel_count), data(device, static_cast<std::size_t>(capacity) * SURFEL_FIELDS, what) {
+        data.fill_zero();
+    }
+
+    int capacity = 0;
+    int count = 0;  // used now, at most capacity
+    Buffer<float> data;
+};
+
+/// Rgb per surfel: [3][capacity].
+inline Buffer<float> surfel_rgb(const std::shared_ptr<Device>& device, int capacity, const std::string& what) {
+    Buffer<float> rgb(device, static_cast<std::size_t>(capacity) * 3, what);
+    rgb.fill_zero();
+    return rgb;
+}
+
+}  // namespace pencil

@@ -1,0 +1,37 @@
+// Errors that end a command. Each says what was being done, where, and what to try; the code becomes the exit status.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace pencil {
+
+enum class ExitCode { ok = 0, usage = 2, scene = 3, device = 4, memory = 5, output = 6, interrupted = 7 };
+
+class Error : public std::runtime_error {
+public:
+    Error(ExitCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
+    ExitCode code() const { return code_; }
+
+private:
+    ExitCode code_;
+};
+
+struct UsageError : Error {
+    explicit UsageError(const std::string& message) : Error(ExitCode::usage, message) {}
+};
+/// `where` is "file:line" or a file name.
+struct SceneError : Error {
+    SceneError(const std::string& where, const std::string& message) : Error(ExitCode::scene, where + ": " + message) {}
+};
+struct DeviceError : Error {
+    explicit DeviceError(const std::string& message) : Error(ExitCode::device, message) {}
+};
+struct MemoryError : Error {
+    explicit MemoryError(const std::string& message) : Error(ExitCode::memory, message) {}
+};
+struct OutputError : Error {
+    explicit OutputError(const std::string& message) : Error(ExitCode::output, message) {}
+};
+
+}  // namespace pencil

@@ -1,0 +1,37 @@
+// Packets of PENCIL_WIDTH surfels: the hot kernels are written once and compiled for the width of the device (1 on GPUs, the native
+// float width on CPUs, where the compiler does not vectorise work-items across inner loops). Masks are -1 for true, 0 for false.
+#ifndef PENCIL_WIDTH
+#error PENCIL_WIDTH is not defined: surfels per work-item, 1, 4, 8 or 16
+#endif
+
+#if PENCIL_WIDTH == 1
+typedef float vfloat;
+typedef int vint;
+typedef uint vuint;
+#define PACKET_LOAD(p) (*(p))
+#define PACKET_STORE(v, p) (*(p) = (v))
+#define PACKET_MASK(condition) (-(condition))
+#define PACKET_ANY(mask) (mask)
+#define PACKET_TO_INT(v) convert_int(v)
+#define PACKET_TO_FLOAT(v) convert_float(v)
+#define PACKET_LANES (vint)(0)
+#else
+#define PACKET_JOIN2(a, b) a##b
+#define PACKET_JOIN(a, b) PACKET_JOIN2(a, b)
+typedef PACKET_JOIN(float, PENCIL_WIDTH) vfloat;
+typedef PACKET_JOIN(int, PENCIL_WIDTH) vint;
+typedef PACKET_JOIN(uint, PENCIL_WIDTH) vuint;
+#define PACKET_LOAD(p) PACKET_JOIN(vload, PENCIL_WIDTH)(0, (p))
+#define PACKET_STORE(v, p) PACKET_JOIN(vstore, PENCIL_WIDTH)((v), 0, (p))
+#define PACKET_MASK(condition) (condition)
+#define PACKET_ANY(mask) any(mask)
+#define PACKET_TO_INT(v) PACKET_JOIN(convert_int, PENCIL_WIDTH)(v)
+#define PACKET_TO_FLOAT(v) PACKET_JOIN(convert_float, PENCIL_WIDTH)(v)
+#if PENCIL_WIDTH == 4
+#define PACKET_LANES (vint)(0, 1, 2, 3)
+#elif PENCIL_WIDTH == 8
+#define PACKET_LANES (vint)(0, 1, 2, 3, 4, 5, 6, 7)
+#elif PENCIL_WIDTH == 16
+#define PACKET_LANES (vint)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15)
+#endif
+#endif

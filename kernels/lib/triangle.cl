@@ -1,0 +1,31 @@
+// Exact incidence of a line through a centre of projection with a triangle. Edge functions are antisymmetric to the last bit, so that
+// two triangles that share an edge leave no gap between them.
+
+/// Distances below this are rounding: coordinates are at most 1 in magnitude, so a plane distance carries a few times 6e-8 [scene units].
+#define PLANE_TOLERANCE 1e-6f
+
+/// Twice cross(p, q), computed as cross(p + q, q - p): exactly the negative of edge_normal(q, p), and without cancellation when p and q
+/// are near each other. Statements are kept apart so that no multiply-add contraction breaks the symmetry.
+inline float4 edge_normal(float4 p, float4 q)
+{
+    float4 m = p + q;
+    float4 e = q - p;
+    float4 a = m.yzxw * e.zxyw;
+    float4 b = m.zxyw * e.yzxw;
+    float4 r = a - b;
+    r.w = 0.0f;
+    return r;
+}
+
+/// Signed distance of a point from a plane along the plane's normal, negated: positive in front of nothing but "ahead of" the point.
+inline float plane_ahead(float4 plane, float4 point) { return plane.w - dot(plane.xyz, point.xyz); }
+
+/// True if the line from `origin` along `direction` passes through the triangle or its border; `side` is the sign of plane_ahead(origin).
+inline bool line_meets_triangle(global const Triangle *t, float4 origin, float4 direction, float side)
+{
+    float4 a = t->v0 - origin;
+    float4 b = t->v1 - origin;
+    float4 c = t->v2 - origin;
+    float3 d = direction.xyz * side;
+    return dot(edge_normal(a, b).xyz, d) >= 0.0f && dot(edge_normal(b, c).xyz, d) >= 0.0f && dot(edge_normal(c, a).xyz, d) >= 0.0f;
+}

@@ -1,0 +1,22 @@
+// Pinhole camera: the ray of the continuous pixel position (px, py), y down, is origin + t * (corner + px * step_x + py * step_y), t > 0.
+#ifndef PENCIL_SHARED_CAMERA_H
+#define PENCIL_SHARED_CAMERA_H
+
+PENCIL_SHARED_BEGIN
+
+typedef struct Camera {
+    float4 origin;  // xyz [scene units]; w unused in all four
+    float4 corner;  // direction through the film's upper left corner, one unit in front of the pinhole
+    float4 step_x;  // change of direction per pixel to the right
+    float4 step_y;  // change of direction per pixel down
+    //------------------------------------------------- 64 B
+    int width;  // film size [pixels]
+    int height;
+    float near_clip;  // smallest t that is seen (t is the depth along the optical axis), 0 if none
+    float far_clip;   // largest t that is seen, INFINITY if none
+    //------------------------------------------------- 80 B
+} Camera;
+
+PENCIL_SHARED_END
+
+#endif

@@ -1,0 +1,23 @@
+// Vocabulary shared by C++17 and OpenCL C 1.2. This header is included by the host and prepended to every device program, so the
+// structs of kernels/shared have one definition. Only 4-byte scalars and 16-byte vectors: float3 has other sizes on the two sides.
+#ifndef PENCIL_SHARED_TYPES_H
+#define PENCIL_SHARED_TYPES_H
+
+#ifndef __OPENCL_C_VERSION__
+#include <cstdint>
+
+#include <glm/vec4.hpp>
+
+namespace pencil {
+using float4 = glm::vec4;
+using uint = std::uint32_t;
+}  // namespace pencil
+
+#define PENCIL_SHARED_BEGIN namespace pencil {
+#define PENCIL_SHARED_END }
+#else
+#define PENCIL_SHARED_BEGIN
+#define PENCIL_SHARED_END
+#endif
+
+#endif

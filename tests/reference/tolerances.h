@@ -1,0 +1,24 @@
+// Every tolerance of the tests, with its reason. A test that needs another number adds it here.
+#pragma once
+
+namespace pencil::tolerance {
+
+constexpr double float_epsilon = 5.9604645e-8;  // half a unit in the last place of 1.0F
+
+/// A few dozen float operations, none of which cancels: octahedral coordinates, a cosine, one weight.
+constexpr double few_operations = 4e-6;
+/// Accumulations over some hundred terms of one sign in float, each term itself `few_operations` good.
+constexpr double accumulation = 2e-5;
+/// cos^beta with beta up to 512 multiplies the relative error of the cosine by beta: 512 * 4 * float_epsilon.
+constexpr double power_512 = 1.3e-4;
+/// Signed volumes of a ray and a triangle's edge, relative to the product of the three lengths: a ray nearer to an edge than this may
+/// fall on either side of it in float arithmetic.
+constexpr double edge_tie = 2e-6;
+/// Distances along one ray that agree to this are a tie: float t of two triangles that meet there.
+constexpr double depth_tie = 4e-6;
+/// A plane nearer to the centre of projection than this [normalised scene units, coordinates up to 1] is within the rounding error of the
+/// coordinates and is not seen by it. The kernels may decide freely between an eighth and eight times this.
+constexpr double plane_through_centre = 1e-6;
+constexpr double plane_through_centre_slack = 8.0;
+
+}  // namespace pencil::tolerance

@@ -1,0 +1,92 @@
+// Closed furnace: every wall emits 1 and reflects a. Radiance is 1 / (1 - a) everywhere and the k-th reflection adds a^k. Every
+// self-normalised estimator passes; leaks, lost bounces, wrong closure of the series and double counting fail.
+#include "scenes/scene_builder.h"
+
+namespace {
+
+using namespace pencil;
+using namespace pencil::test;
+
+constexpr double promised = 1e-3;
+
+Scene furnace(float albedo) {
+    Scene scene;
+    add_box(scene, {-1, -1, -1}, {1.5, 1, 1}, {glm::vec3(albedo), glm::vec3(1.0F), false});
+    look_at(scene, {-0.7, 0.2, 0.6}, {1.2, -0.3, -0.8}, {0, 1, 0}, 90.0, 48, 32);
+    return scene;
+}
+
+RenderOptions emission_options() {
+    RenderOptions options;
+    options.initial = Initial::emission;
+    options.pencils = 64;
+    options.map = 32;
+    options.film_samples = 4;
+    return options;
+}
+
+class Furnace : public testing::TestWithParam<Iterate> {};
+INSTANTIATE_TEST_SUITE_P(Iterate, Furnace, testing::Values(Iterate::sets, Iterate::fixed),
+                         [](const auto& test) { return test.param == Iterate::sets ? "sets" : "fixed"; });
+
+TEST_P(Furnace, BeautyIsTheWholeSeries) {
+    for (const float albedo : {0.5F, 0.8F}) {
+        RenderOptions options = emission_options();
+        options.iterate = GetParam();
+        options.tolerance = 1e-4;  // the part left out is then below a^k / (1 - a) < promised / 2
+        const RenderResult result = render_layers(furnace(albedo), options);
+        SCOPED_TRACE(albedo);
+        expect_uniform(layer(result, ""), 1.0 / (1.0 - static_cast<double>(albedo)), promised);
+    }
+}
+
+TEST_P(Furnace, BouncesArePowersOfTheAlbedo) {
+    RenderOptions options = emission_options();
+    options.iterate = GetParam();
+    options.bounces = 4;
+    const double a = 0.8F;
+    const RenderResult result = render_layers(furnace(0.8F), options, {"emission", "direct", "bounces"});
+    expect_uniform(layer(result, "emission"), 1.0, promised);
+    expect_uniform(layer(result, "direct"), a, promised);
+    for (int k = 2; k <= 4; ++k) expect_uniform(layer(result, "bounce" + std::to_string(k)), std::pow(a, k), promised);
+    expect_uniform(layer(result, ""), (1.0 - std::pow(a, 5)) / (1.0 - a), promised);
+    ASSERT_EQ(result.stats.bounces.size(), 4U);
+    for (std::size_t k = 0; k < 4; ++k) {
+        EXPECT_EQ(result.stats.bounces[k].order, static_cast<int>(k) + 1);
+        EXPECT_NEAR(result.stats.bounces[k].mean.x, std::pow(a, k + 1), promised) << "report of bounce " << k + 1;
+    }
+}
+
+TEST_P(Furnace, ResidualCoversTheError) {
+    RenderOptions options = emission_options();
+    options.iterate = GetParam();
+    const RenderResult result = render_layers(furnace(0.9F), options);
+    const double truth = 1.0 / (1.0 - 0.9F), error = std::abs(pixel(layer(result, ""), 0).x / truth - 1.0);
+    EXPECT_LE(error, 1.5 * result.stats.residual + promised) << "residual " << result.stats.residual;
+    EXPECT_LE(error, 0.02) << "a series cut at 1e-3 of the sum may miss a / (1 - a) times that, 0.9 %";
+}
+
+TEST(FurnaceDepth, MaxDepthOfTheSceneIsObeyed) {
+    // Mitsuba: 1 is emission only, 2 adds direct light.
+    for (int depth = 1; depth <= 3; ++depth) {
+        Scene scene = furnace(0.5F);
+        scene.max_depth = depth;
+        SCOPED_TRACE(depth);
+        expect_uniform(layer(render_layers(scene, emission_options()), ""), 2.0 * (1.0 - std::pow(0.5, depth)), promised);
+    }
+}
+
+TEST(FurnaceDepth, DirectInitialAgreesWithEmission) {
+    // Light samples on walls that surround the point: noisy, but the mean over the film has to come out.
+    RenderOptions options = emission_options();
+    options.initial = Initial::direct;
+    options.bounces = 1;
+    options.light_samples = 2048;
+    const RenderResult result = render_layers(furnace(0.5F), options, {"direct"});
+    const Layer& direct = layer(result, "direct");
+    double mean = 0.0;
+    for (const float value : direct.pixels) mean += value / static_cast<double>(direct.pixels.size());
+    EXPECT_NEAR(mean, 0.5, 0.01);
+}
+
+}  // namespace

@@ -1,0 +1,114 @@
+// The test a self-normalised estimator can fail: unit box, wall x = 0 emits 1, the rest only receives; irradiance on the floor against
+// the exact form factor. Line projection is known to lose the light of near walls: the tests assert what the method promises, and
+//   test_scenes --gtest_filter='LitWall.Table*'   prints the table of docs/accuracy.md.
+#include <cstdio>
+
+#include "reference/form_factor_ref.h"
+#include "scenes/scene_builder.h"
+
+namespace {
+
+using namespace pencil;
+using namespace pencil::test;
+
+struct Place {
+    const char* name;
+    double x, z;
+};
+constexpr std::array<Place, 5> places{
+    {{"0.5", 0.5, 0.5}, {"0.2", 0.2, 0.5}, {"0.05", 0.05, 0.5}, {"0.01", 0.01, 0.5}, {"corner", 0.02, 0.02}}};
+
+Scene lit_wall_box() {
+    Scene scene;
+    for (int wall = 0; wall < 6; ++wall) {
+        const Surface lit{glm::vec3(0.0F), glm::vec3(1.0F), false}, receiver{glm::vec3(1.0F), glm::vec3(0.0F), false};
+        add_wall(scene, wall, dvec3(0.0), dvec3(1.0), wall == 0 ? lit : receiver);
+    }
+    // From the box's middle straight down: with 90 degrees the film is exactly the floor.
+    look_at(scene, {0.5, 0.5, 0.5}, {0.5, 0, 0.5}, {0, 0, 1}, 90.0, 200, 200);
+    return scene;
+}
+
+/// Ratio of the rendered to the exact irradiance at the pixels nearest to the places.
+std::array<double, 5> ratios(Weights weights, int pencils, std::uint64_t seed) {
+    RenderOptions options;
+    options.initial = Initial::emission;
+    options.bounces = 1;
+    options.weights = weights;
+    options.pencils = pencils;
+    options.seed = seed;
+    options.film_samples = 1;
+    const RenderResult result = render_layers(lit_wall_box(), options, {"direct", "position"});
+    const Layer &direct = layer(result, "direct"), &position = layer(result, "position");
+    std::array<double, 5> out{};
+    for (std::size_t p = 0; p < places.size(); ++p) {
+        std::size_t best = 0;
+        double nearest = 1e9;
+        for (std::size_t i = 0; i < pixel_count(position); ++i) {
+            const double d = glm::distance(pixel(position, i), dvec3(places[p].x, 0.0, places[p].z));
+            if (d < nearest) {
+                nearest = d;
+                best = i;
+            }
+        }
+        EXPECT_LT(nearest, 0.006) << "no pixel at " << places[p].name;
+        const dvec3 at = pixel(position, best);
+        out[p] = pixel(direct, best).x * ref::pi / ref::lit_wall_irradiance(at.x, at.z);  // albedo 1: E = pi L
+    }
+    return out;
+}
+
+/// Mean and spread over seeds.
+struct Row {
+    std::array<double, 5> mean{}, rmse{};
+};
+Row row(Weights weights, int pencils, int seeds) {
+    Row out;
+    for (int seed = 0; seed < seeds; ++seed) {
+        const std::array<double, 5> r = ratios(weights, pencils, static_cast<std::uint64_t>(seed));
+        for (std::size_t p = 0; p < r.size(); ++p) {
+            out.mean[p] += r[p] / seeds;
+            out.rmse[p] += (r[p] - 1.0) * (r[p] - 1.0) / seeds;
+        }
+    }
+    for (double& value : out.rmse) value = std::sqrt(value);
+    return out;
+}
+
+TEST(LitWall, CentreWithinAQuarterEverywhereBounded) {
+    const Row dpdf = row(Weights::dpdf, 128, 3);
+    EXPECT_NEAR(dpdf.mean[0], 1.0, 0.25) << "room centre";
+    for (std::size_t p = 0; p < places.size(); ++p) {
+        EXPECT_GE(dpdf.mean[p], 0.0) << places[p].name;
+        EXPECT_LE(dpdf.mean[p], 1.3) << places[p].name << ": the line projection loses light of near walls, it never gains";
+    }
+    EXPECT_LT(dpdf.mean[3], dpdf.mean[1]) << "the bias grows towards the wall";
+}
+
+TEST(LitWall, DpdfConvergesAtTheCentre) {
+    const Row few = row(Weights::dpdf, 32, 4), many = row(Weights::dpdf, 1024, 4);
+    EXPECT_LT(many.rmse[0], 0.10);
+    EXPECT_LT(many.rmse[0], few.rmse[0] + 0.01) << "more pencils must not be worse";
+}
+
+TEST(LitWall, PrintedWeightsOvershoot) {
+    // sum_j D_j sum_i 1/D_i >= n^2 (Cauchy & Schwarz), so the printed normaliser only ever adds.
+    const Row printed = row(Weights::thesis, 128, 3), consistent = row(Weights::dpdf, 128, 3);
+    EXPECT_GT(printed.mean[0], 1.1 * consistent.mean[0]);
+}
+
+TEST(LitWall, TableOfDocsAccuracy) {
+    std::printf("irradiance of the lit wall, rendered / exact, mean over 4 seeds (RMSE %%)\n| weights | pencils |");
+    for (const Place& place : places) std::printf(" %s |", place.name);
+    std::printf("\n|---|---|---|---|---|---|---|\n");
+    for (const Weights weights : {Weights::dpdf, Weights::thesis}) {
+        for (const int pencils : {128, 512}) {
+            const Row r = row(weights, pencils, 4);
+            std::printf("| %s | %d |", weights == Weights::dpdf ? "dpdf" : "thesis", pencils);
+            for (std::size_t p = 0; p < places.size(); ++p) std::printf(" %.3f (%.0f) |", r.mean[p], 100.0 * r.rmse[p]);
+            std::printf("\n");
+        }
+    }
+}
+
+}  // namespace
