@@ -7,8 +7,8 @@
 /// bandwidth law of spherical kernel estimates with the constant measured for this estimator, rounded to a power of two.
 inline int density_doublings(int visible) { return clamp((int)rint(log2(5.0f * cbrt((float)max(visible, 1)))), 0, MAX_DOUBLINGS); }
 
-/// launch : 1-D, one work-item per packet of PENCIL_WIDTH surfels of tiles first_tile .. (surfel order of gather_surfels, n * n is a
-///          multiple of PENCIL_WIDTH, so that a packet lies in one tile)
+/// launch : 1-D, one work-item per packet of PENCIL_WIDTH surfels of tiles first_tile .. (surfel order of gather_surfels, a packet lies
+///          in one tile)
 /// in     : surfels; cops[pencil_count]; mask of test_visibility for the same set
 /// out    : radiance, atlas layout, w of interior texels: 1 / D_p(x) in (0, 1]; D counts the pencil itself, so D >= 1
 kernel void estimate_density(global const float *surfels, int capacity, int surfel_count, global const float4 *cops, int pencil_count,
@@ -53,7 +53,7 @@ kernel void estimate_density(global const float *surfels, int capacity, int surf
     vfloat reciprocal = 1.0f / (1.0f + density);
     PACKET_STORE(reciprocal, weight);
     for (int l = 0; l < PENCIL_WIDTH; ++l) {
-        int texel = (first + l) % (n * n);
-        radiance[oct_atlas_index(tile, (int2)(texel % n, texel / n), n)].w = weight[l];
+        int2 texel = oct_surfel_texel((first + l) % (n * n), n);
+        radiance[oct_atlas_index(tile, texel, n)].w = weight[l];
     }
 }

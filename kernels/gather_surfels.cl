@@ -1,6 +1,6 @@
 // Gather Q of a pencil: the surfels that its texels see (thesis eq. (5.1); h(c, -w) of eq. (5.14)).
 
-/// launch : 1-D, one work-item per texel of `tile_count` tiles; surfel (tile - first_tile) * n * n + y * n + x
+/// launch : 1-D, one work-item per texel of `tile_count` tiles; surfels of a tile in the order of oct_surfel_texel
 /// in     : hits, cops, scene
 /// out    : surfels, structure of arrays of `capacity`
 kernel void gather_surfels(global const Hit *hits, global const float4 *cops, int first_tile, int tile_count, int n,
@@ -10,7 +10,7 @@ kernel void gather_surfels(global const Hit *hits, global const float4 *cops, in
     int item = get_global_id(0);
     if (item >= tile_count * n * n) return;
     int tile = first_tile + item / (n * n);
-    int2 texel = (int2)(item % (n * n) % n, item % (n * n) / n);
+    int2 texel = oct_surfel_texel(item % (n * n), n);
     float4 cop = (float4)(cops[tile].xyz, 0.0f);
     write_surfel(surfels, capacity, item, hits[oct_atlas_index(tile, texel, n)], cop, oct_texel_direction(texel, n), triangles, planes,
                  materials, normals);

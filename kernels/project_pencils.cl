@@ -10,63 +10,86 @@ inline float4 fetch_radiance(global const float4 *radiance, int index, int strid
     return upper + fy * (lower - upper);
 }
 
-/// launch : 1-D, one work-item per packet of PENCIL_WIDTH surfels
-/// in     : surfels of `capacity` (a multiple of 16); cops[pencil_count]; radiance, plane_atlas, hits: tiles of n x n of those pencils
+/// Sums over the pencils that a packet of surfels sees.
+typedef struct ProjectionSums {
+    float4 light[PENCIL_WIDTH];  // rgb: sum of L cos/D; w: sum of cos/D
+    vint seen;                    // number of pencils
+    float density[PENCIL_WIDTH];  // sum of D, for PENCIL_WEIGHTS_THESIS only
+} ProjectionSums;
+
+/// Adds pencil i to the sums of one packet.
+inline void project_pencil(const SurfelPacket *s, const VisibilityMap *map, global const float4 *radiance, float4 cop, int i,
+                           ProjectionSums *sums)
+{
+    vfloat vx = s->x - cop.x, vy = s->y - cop.y, vz = s->z - cop.z;
+    vfloat cosine = packet_cosine_towards(s, vx, vy, vz);
+    vint faces = PACKET_MASK(cosine > 0.0f);
+    if (!PACKET_ANY(faces)) return;
+    Footprint f = packet_footprint(vx, vy, vz, map->n);
+    vint index = f.index + i * PENCIL_TILE_TEXELS(map->n);
+    vint seen = packet_visible(s, map, f, index, cop, faces);
+    if (!PACKET_ANY(seen)) return;
+    cosine *= rsqrt(fma(vx, vx, fma(vy, vy, vz * vz)));
+    cosine = select((vfloat)(0.0f), cosine, seen);
+    sums->seen -= seen;
+    int stride = PENCIL_TILE_STRIDE(map->n);
+#pragma unroll
+    for (int l = 0; l < PENCIL_WIDTH; ++l) {
+        float4 texel = fetch_radiance(radiance, LANE_INT(index, l), stride, LANE_FLOAT(f.fx, l), LANE_FLOAT(f.fy, l));
+        float weight = LANE_FLOAT(cosine, l) * texel.w;
+        sums->light[l] += weight * (float4)(texel.xyz, 1.0f);
+        if (PENCIL_WEIGHTS_THESIS) sums->density[l] += LANE_INT(seen, l) ? 1.0f / texel.w : 0.0f;
+    }
+}
+
+/// Irradiance from the sums of lane l.
+inline float3 projected_irradiance(const ProjectionSums *sums, int l)
+{
+    float4 light = sums->light[l];
+    float seen = (float)LANE_INT(sums->seen, l);
+    if (PENCIL_WEIGHTS_THESIS) return seen > 0.0f ? light.xyz * (2.0f * M_PI_F * sums->density[l] / (seen * seen)) : (float3)(0.0f);
+    return light.w > 0.0f ? light.xyz * (M_PI_F / light.w) : (float3)(0.0f);
+}
+
+/// launch : 1-D, one work-item per block of PENCIL_BLOCK packets of PENCIL_WIDTH surfels
+/// in     : surfels of `capacity` (a multiple of PENCIL_BLOCK * PENCIL_WIDTH); cops[pencil_count]; radiance, cells, hits: tiles of n x n
+///          of those pencils
 /// out    : outgoing[3][capacity] [W m^-2 sr^-1], added to if `accumulate`; visible[capacity]: number of pencils that each surfel sees
 /// needs  : radiance and hits folded. A surfel that sees no pencil receives nothing.
 /// PENCIL_WEIGHTS_THESIS 0: E = pi sum(L cos/D) / sum(cos/D). DEVIATION: eq. (5.33)'s normaliser does not tend to the integral.
 /// PENCIL_WEIGHTS_THESIS 1: the printed form, E = 2 pi / n_v^2 * sum(D) * sum(L cos/D), n_v pencils visible.
 kernel void project_pencils(global const float *surfels, int capacity, int surfel_count, global const float4 *cops, int pencil_count,
-                            global const float4 *radiance, global const int *plane_atlas, global const Hit *hits,
+                            global const float4 *radiance, global const int2 *cells, global const Hit *hits,
                             global const Triangle *triangles, global const float4 *planes, int n, global float *outgoing, int accumulate,
                             global int *visible)
 {
-    int first = get_global_id(0) * PENCIL_WIDTH;
+    int first = get_global_id(0) * PENCIL_BLOCK * PENCIL_WIDTH;
     if (first >= surfel_count) return;
-    SurfelPacket s = load_surfels(surfels, capacity, first);
-    VisibilityMap map = {plane_atlas, hits, triangles, planes, n};
-    int stride = PENCIL_TILE_STRIDE(n);
-    float4 sum[PENCIL_WIDTH];  // rgb: sum of L cos/D; w: sum of cos/D
-    float sum_density[PENCIL_WIDTH];
-    int seen[PENCIL_WIDTH];
-    for (int l = 0; l < PENCIL_WIDTH; ++l) {
-        sum[l] = (float4)(0.0f);
-        sum_density[l] = 0.0f;
-        seen[l] = 0;
+    VisibilityMap map = {cells, hits, triangles, planes, n};
+    SurfelPacket packets[PENCIL_BLOCK];
+    ProjectionSums sums[PENCIL_BLOCK];
+    for (int p = 0; p < PENCIL_BLOCK; ++p) {
+        packets[p] = load_surfels(surfels, capacity, first + p * PENCIL_WIDTH);
+        sums[p].seen = 0;
+        for (int l = 0; l < PENCIL_WIDTH; ++l) {
+            sums[p].light[l] = (float4)(0.0f);
+            sums[p].density[l] = 0.0f;
+        }
     }
     for (int i = 0; i < pencil_count; ++i) {
         float4 cop = (float4)(cops[i].xyz, 0.0f);
-        vfloat vx = s.x - cop.x, vy = s.y - cop.y, vz = s.z - cop.z;
-        vfloat cosine = packet_cosine_towards(&s, vx, vy, vz);
-        if (!PACKET_ANY(PACKET_MASK(cosine > 0.0f))) continue;
-        cosine *= rsqrt(fma(vx, vx, fma(vy, vy, vz * vz)));
-        Footprint f = packet_footprint(vx, vy, vz, n);
-        vint base = f.index + i * PENCIL_TILE_TEXELS(n);
-        float lane_cosine[PENCIL_WIDTH], fx[PENCIL_WIDTH], fy[PENCIL_WIDTH];
-        int index[PENCIL_WIDTH];
-        PACKET_STORE(cosine, lane_cosine);
-        PACKET_STORE(f.fx, fx);
-        PACKET_STORE(f.fy, fy);
-        PACKET_STORE(base, index);
-#pragma unroll
+        for (int p = 0; p < PENCIL_BLOCK; ++p) project_pencil(packets + p, &map, radiance, cop, i, sums + p);
+    }
+    for (int p = 0; p < PENCIL_BLOCK; ++p) {
+        float r[PENCIL_WIDTH], g[PENCIL_WIDTH], b[PENCIL_WIDTH];
         for (int l = 0; l < PENCIL_WIDTH; ++l) {
-            if (!(lane_cosine[l] > 0.0f)) continue;
-            float4 x = (float4)(s.px[l], s.py[l], s.pz[l], 0.0f);
-            if (!footprint_visible(&map, index[l], fx[l], fy[l], cop, x, s.plane[l])) continue;
-            float4 texel = fetch_radiance(radiance, index[l], stride, fx[l], fy[l]);
-            sum[l] += (lane_cosine[l] * texel.w) * (float4)(texel.xyz, 1.0f);
-            ++seen[l];
-            if (PENCIL_WEIGHTS_THESIS) sum_density[l] += 1.0f / texel.w;
+            float3 e = projected_irradiance(sums + p, l);
+            r[l] = e.x;
+            g[l] = e.y;
+            b[l] = e.z;
         }
+        int at = first + p * PENCIL_WIDTH;
+        scatter_irradiance(surfels, capacity, at, PACKET_LOAD(r), PACKET_LOAD(g), PACKET_LOAD(b), outgoing, accumulate);
+        PACKET_STORE(sums[p].seen, visible + at);
     }
-    float r[PENCIL_WIDTH], g[PENCIL_WIDTH], b[PENCIL_WIDTH];
-    for (int l = 0; l < PENCIL_WIDTH; ++l) {
-        float scale = sum[l].w > 0.0f ? M_PI_F / sum[l].w : 0.0f;
-        if (PENCIL_WEIGHTS_THESIS) scale = seen[l] > 0 ? 2.0f * M_PI_F * sum_density[l] / ((float)seen[l] * seen[l]) : 0.0f;
-        r[l] = scale * sum[l].x;
-        g[l] = scale * sum[l].y;
-        b[l] = scale * sum[l].z;
-    }
-    scatter_irradiance(surfels, capacity, first, PACKET_LOAD(r), PACKET_LOAD(g), PACKET_LOAD(b), outgoing, accumulate);
-    PACKET_STORE(PACKET_LOAD(seen), visible + first);
 }

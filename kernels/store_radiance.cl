@@ -9,7 +9,7 @@ kernel void store_radiance(global const float *outgoing, int capacity, int first
     int i = get_global_id(0);
     if (i >= tile_count * n * n) return;
     int tile = first_tile + i / (n * n);
-    int2 texel = oct_antipode((int2)(i % (n * n) % n, i % (n * n) / n), n);
+    int2 texel = oct_antipode(oct_surfel_texel(i % (n * n), n), n);
     int target = oct_atlas_index(tile, texel, n);
     radiance[target].xyz = (float3)(outgoing[i], outgoing[(size_t)capacity + i], outgoing[2 * (size_t)capacity + i]);
 }

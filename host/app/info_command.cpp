@@ -14,9 +14,7 @@
 namespace pencil {
 namespace {
 
-std::string vector_text(const glm::dvec3& v) {
-    return "(" + format_short(v.x) + ", " + format_short(v.y) + ", " + format_short(v.z) + ")";
-}
+std::string vector_text(const glm::dvec3& v) { return "(" + format_short(v.x) + ", " + format_short(v.y) + ", " + format_short(v.z) + ")"; }
 
 void print_bounds(const Scene& scene) {
     if (scene.positions.empty()) {

@@ -36,8 +36,6 @@ void watch_signals() {
     std::signal(SIGXFSZ, SIG_IGN);
 }
 
-int interrupted_by() {
-    return received.load();
-}
+int interrupted_by() { return received.load(); }
 
 }  // namespace pencil

@@ -27,7 +27,7 @@ struct CommandLine {
 
     CommandLine() {
         app.set_version_flag("--version", "pencil " PENCIL_VERSION);
-        app.require_subcommand(1);
+        app.require_subcommand(0, 1);  // none is refused below, after unknown words
         app.footer(exit_codes);
         render_app = app.add_subcommand("render", "Render a scene to image files");
         info_app = app.add_subcommand("info", "Say what is in a scene and what rendering it needs");
@@ -43,7 +43,13 @@ ExitCode run_command(const CommandLine& line) {
     if (line.render_app->parsed()) {
         return run_render(line.render);
     }
-    return line.info_app->parsed() ? run_info(line.info) : run_devices(line.devices);
+    if (line.info_app->parsed()) {
+        return run_info(line.info);
+    }
+    if (line.devices_app->parsed()) {
+        return run_devices(line.devices);
+    }
+    throw UsageError("a command is required: render, info or devices");
 }
 
 ExitCode parse_and_run(int argc, char** argv) {
@@ -93,6 +99,4 @@ ExitCode guarded(int argc, char** argv) {
 }  // namespace
 }  // namespace pencil
 
-int main(int argc, char** argv) {
-    return static_cast<int>(pencil::guarded(argc, argv));
-}
+int main(int argc, char** argv) { return static_cast<int>(pencil::guarded(argc, argv)); }

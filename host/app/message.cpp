@@ -39,8 +39,6 @@ void print_error(const std::string& text, LineBreaks breaks) {
     std::fprintf(stderr, "pencil: error: %s\n", printable(text, breaks).c_str());
 }
 
-void print_warning(const std::string& text) {
-    std::fprintf(stderr, "pencil: warning: %s\n", printable(text).c_str());
-}
+void print_warning(const std::string& text) { std::fprintf(stderr, "pencil: warning: %s\n", printable(text).c_str()); }
 
 }  // namespace pencil

@@ -19,7 +19,7 @@ const std::vector<std::string> iterations{"sets", "fixed"};
 
 /// An option whose text goes to `read`, which throws std::invalid_argument with what is wrong.
 CLI::Option* add(CLI::App& app, const std::string& name, const std::string& help, const std::string& type, const std::string& standard,
-                 std::function<void(const std::string&)> read) {
+                 const std::function<void(const std::string&)>& read) {
     const auto checked = [name, read](const std::string& text) {
         try {
             read(text);
@@ -115,9 +115,7 @@ void add_render_options(CLI::App& app, RenderCommand& command) {
     app.add_flag("--quiet", command.quiet, "No progress and no summary; warnings and errors stay");
 }
 
-void add_info_options(CLI::App& app, InfoCommand& command) {
-    add_scene(app, command.scene, command.defines);
-}
+void add_info_options(CLI::App& app, InfoCommand& command) { add_scene(app, command.scene, command.defines); }
 
 void add_devices_options(CLI::App& app, DevicesCommand& command) {
     app.add_flag("--self-test", command.self_test, "Run known answers on every device; exit status 4 if one is wrong");
@@ -135,17 +133,9 @@ const std::vector<std::string>& all_aovs() {
     return names;
 }
 
-std::string to_string(Initial value) {
-    return initials[static_cast<std::size_t>(value)];
-}
-std::string to_string(Placement value) {
-    return placements[static_cast<std::size_t>(value)];
-}
-std::string to_string(Weights value) {
-    return weightings[static_cast<std::size_t>(value)];
-}
-std::string to_string(Iterate value) {
-    return iterations[static_cast<std::size_t>(value)];
-}
+std::string to_string(Initial value) { return initials[static_cast<std::size_t>(value)]; }
+std::string to_string(Placement value) { return placements[static_cast<std::size_t>(value)]; }
+std::string to_string(Weights value) { return weightings[static_cast<std::size_t>(value)]; }
+std::string to_string(Iterate value) { return iterations[static_cast<std::size_t>(value)]; }
 
 }  // namespace pencil

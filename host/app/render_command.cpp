@@ -69,8 +69,9 @@ void take_result(RunReport& report, const RenderResult& result, Device& device) 
 
 void write_images(RunReport& report, const RenderResult& result, const RenderCommand& command) {
     LayeredImage image{result.width, result.height, {}};
-    std::transform(result.layers.begin(), result.layers.end(), std::back_inserter(image.layers),
-                   [](const Layer& layer) { return ImageLayer{layer.name, layer.channels, layer.pixels.data()}; });
+    std::transform(result.layers.begin(), result.layers.end(), std::back_inserter(image.layers), [](const Layer& layer) {
+        return ImageLayer{layer.name, layer.channels, layer.pixels.data()};
+    });
     const Metadata metadata = image_metadata(report, command, !command.stats.empty());
     for (const std::filesystem::path& output : command.outputs) {
         add_warnings(report, write_image(output, image, metadata));

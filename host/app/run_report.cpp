@@ -26,9 +26,7 @@ void print_stage(std::ostream& out, const StageTime& stage) {
     out << "\n";
 }
 
-std::string device_line(const DeviceInfo& device) {
-    return printable(device.name + " (" + device.platform + "), driver " + device.driver);
-}
+std::string device_line(const DeviceInfo& device) { return printable(device.name + " (" + device.platform + "), driver " + device.driver); }
 
 std::string bounce_line(const RenderStats& stats) {
     std::string line = std::to_string(stats.bounces.size()) + ", residual " + format_short(stats.residual);
@@ -54,9 +52,9 @@ void print_summary(std::ostream& out, const RunReport& report, const std::vector
         total.launches += stage.launches;
     }
     print_stage(out, total);
-    out << "\ndevice   " << device_line(report.device) << "\nmemory   " << format_size(peak_resident_bytes()) << " at most, "
-        << format_size(report.stats.device_peak_bytes) << " of it planned for the device\nimage    " << report.width << "x" << report.height
-        << ", " << report.stats.triangles << " triangles, " << report.stats.film_surfels << " film surfels";
+    out << "\ndevice   " << device_line(report.device) << "\nmemory   " << format_size(peak_resident_bytes()) << " resident at most, "
+        << format_size(report.stats.device_peak_bytes) << " in device buffers\nimage    " << report.width << "x" << report.height << ", "
+        << report.stats.triangles << " triangles, " << report.stats.film_surfels << " film surfels";
     if (report.stats.blind_surfels > 0) {
         out << ", " << report.stats.blind_surfels << " of them seen by no pencil of the first set";
     }
@@ -67,7 +65,7 @@ void print_summary(std::ostream& out, const RunReport& report, const std::vector
 }
 
 void print_explanation(std::ostream& out, const RunReport& report) {
-    out << "device: " << device_line(report.device) << ", packets of " << report.packet_width << " surfels\n";
+    out << "device: " << device_line(report.device) << "\n";
     for (const std::string& sentence : report.stats.explain) {
         out << printable(sentence) << "\n";
     }
@@ -82,6 +80,7 @@ Metadata image_metadata(const RunReport& report, const RenderCommand& command, b
         {"pencil:scene", command.scene.filename().string()},
         {"pencil:device", report.device.name},
         {"pencil:driver", report.device.platform + " " + report.device.driver},
+        {"pencil:packetWidth", report.packet_width},  // the order of float additions depends on it
         {"pencil:pencils", options.pencils},
         {"pencil:decay", options.decay},
         {"pencil:bounces", options.bounces < 0 ? "auto" : std::to_string(options.bounces)},

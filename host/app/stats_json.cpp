@@ -70,8 +70,7 @@ Json launches_json(const RunReport& report) {
 Json bounces_json(const RenderStats& stats) {
     Json bounces = Json::array();
     for (const BounceReport& bounce : stats.bounces) {
-        bounces.push_back(
-            {{"order", bounce.order}, {"pencils", bounce.pencils}, {"mean", {bounce.mean.x, bounce.mean.y, bounce.mean.z}}});
+        bounces.push_back({{"order", bounce.order}, {"pencils", bounce.pencils}, {"mean", {bounce.mean.x, bounce.mean.y, bounce.mean.z}}});
     }
     return bounces;
 }

@@ -7,7 +7,6 @@
 #include "cl/cl_error.h"
 #include "cl/discovery.h"
 #include "util/error.h"
-#include "util/log.h"
 
 namespace pencil {
 namespace {
@@ -25,13 +24,13 @@ int width_from_environment() {
     throw UsageError(std::string("PENCIL_WIDTH=") + text + " is not 1, 4, 8 or 16");
 }
 
+}  // namespace
+
 double event_seconds(const cl::Event& event) {
     const auto start = event.getProfilingInfo<CL_PROFILING_COMMAND_START>();
     const auto end = event.getProfilingInfo<CL_PROFILING_COMMAND_END>();
     return end > start ? static_cast<double>(end - start) * 1e-9 : 0.0;
 }
-
-}  // namespace
 
 std::shared_ptr<Device> Device::open(const std::string& selector) {
     std::vector<FoundDevice> found = find_devices();

@@ -32,6 +32,9 @@ struct LaunchTimes {
     double device_seconds = 0;
 };
 
+/// Time that the device spent on a finished command [s].
+double event_seconds(const cl::Event& event);
+
 class Device {
 public:
     /// `selector`: index, or part of the name or platform (any case), "cpu", "gpu", or empty: $PENCIL_DEVICE if

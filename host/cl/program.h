@@ -5,6 +5,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -20,8 +21,8 @@ using Defines = std::map<std::string, std::string>;  // PENCIL_X -> value
 /// is read from disk, which serves kernels that only tests use. Carries a #line directive.
 std::string kernel_source(const std::string& file);
 
-/// Local sizes (x, y or 0) that a kernel was launched with.
-using CompiledSizes = std::set<std::pair<std::size_t, std::size_t>>;
+/// Local sizes (x, y or 0) that a kernel was launched with, and whether the grid was large: what PoCL generates code for.
+using CompiledSizes = std::set<std::tuple<std::size_t, std::size_t, bool>>;
 
 /// A kernel bound to its arguments; `run` launches it. Global sizes are rounded up to the local size: kernels test their bounds.
 class Launch {

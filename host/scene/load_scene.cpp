@@ -2,12 +2,12 @@
 // every one in the file is read, so that a mistake shows even where nothing uses it yet.
 #include "scene/load_scene.h"
 
-#include <algorithm>
-#include <limits>
 #include <new>
 
 #include "scene/mesh.h"
 #include "scene/properties.h"
+#include "scene/read_bsdf.h"
+#include "scene/read_integrator.h"
 #include "scene/read_obj.h"
 #include "scene/read_ply.h"
 #include "scene/read_sensor.h"
@@ -35,7 +35,7 @@ private:
         if (tag == "default" || tag == "alias") return;
         if (tag == "integrator") return integrator(node);
         if (tag == "sensor") return sensor(node);
-        if (tag == "bsdf") return (void)read_bsdf(node);
+        if (tag == "bsdf") return (void)read_bsdf(source_, node);
         if (tag == "shape") return shape(node);
         if (tag == "emitter") return emitter(node);
         const bool plugin = tag == "texture" || tag == "medium" || tag == "volume" || tag == "phase";
@@ -43,27 +43,9 @@ private:
     }
 
     void integrator(pugi::xml_node node) {
-        Properties p(source_, node);
         if (has_integrator_) source_.fail(node, "the scene has more than one integrator");
         has_integrator_ = true;
-        const std::string type = node.attribute("type").value();
-        const std::vector<std::string> like_path = {"volpath", "volpathmis", "volpath_simple", "bdpt", "ptracer", "mlt",
-                                                    "pssmlt",  "erpt",       "photonmapper",   "ppm",  "sppm",    "vpl",
-                                                    "prb",     "prb_basic",  "prbvolpath"};
-        const bool stands_in = std::find(like_path.begin(), like_path.end(), type) != like_path.end();
-        if (stands_in) source_.warn(node, p.label() + " is read as \"path\": the same light paths, solved by this program's own method");
-        if (type != "path" && type != "direct" && !stands_in) {
-            source_.fail(node, p.label() + " is not supported; supported: path, direct (others of the path family are read as path)");
-        }
-        if (!p.objects().empty()) source_.fail(p.objects()[0].named_at, "<" + p.objects()[0].kind + "> cannot stand inside " + p.label());
-        const long long depth = p.integer("max_depth", -1);
-        if (depth != -1 && (depth < 1 || depth > std::numeric_limits<int>::max()))
-            p.fail("max_depth", "max_depth must be -1 (no limit) or at least 1 (emission only)");
-        scene_.max_depth = type == "direct" ? 2 : static_cast<int>(depth);
-        if (p.boolean("hide_emitters", false)) source_.warn(node, p.label() + ": hide_emitters is not supported, emitters are shown");
-        if (stands_in || type == "direct") return;  // their other parameters steer algorithms not used here
-        p.ignore({"rr_depth", "strict_normals"});
-        p.finish();
+        scene_.max_depth = read_max_depth(source_, node);
     }
 
     void sensor(pugi::xml_node node) {
@@ -73,40 +55,10 @@ private:
         scene_.sensor = sensor;
     }
 
-    Diffuse read_bsdf(pugi::xml_node node, int depth = 0) {
-        Properties p(source_, node);
-        const std::string type = node.attribute("type").value();
-        Diffuse result;
-        if (type == "diffuse") {
-            result.albedo =
-                p.colour(p.has("diffuse_reflectance") ? "diffuse_reflectance" : "reflectance", glm::vec3(0.5F), ColourUse::reflectance);
-            if (!p.objects().empty()) fail_nested(p, p.objects()[0]);
-        } else if (type == "twosided") {
-            constexpr int deepest = 4;  // a chain of references deeper than this is a circle
-            if (depth > deepest) source_.fail(node, p.label() + " refers to itself");
-            if (p.objects().size() != 1 || p.objects()[0].kind != "bsdf") source_.fail(node, p.label() + " needs exactly one nested bsdf");
-            if (p.objects()[0].type == "twosided" && p.objects()[0].node != node)
-                source_.fail(p.objects()[0].named_at, p.label() + " cannot hold another twosided");
-            result = read_bsdf(p.objects()[0].node, depth + 1);
-            result.two_sided = true;
-        } else {
-            source_.fail(node, p.label() + " is not supported; supported: diffuse, twosided");
-        }
-        if (node.attribute("id")) result.id = node.attribute("id").value();
-        p.finish();
-        return result;
-    }
-
-    [[noreturn]] void fail_nested(const Properties& p, const NestedObject& object) const {
-        const std::string advice = object.kind == "texture" ? "; give a single colour instead" : "";
-        source_.fail(object.named_at,
-                     escaped(object.kind) + " type " + in_quotes(object.type) + " inside " + p.label() + " is not supported" + advice);
-    }
-
     std::uint32_t bsdf_index(pugi::xml_node node) {
         const auto place = bsdfs_.find(node.hash_value());
         if (place != bsdfs_.end()) return place->second;
-        return bsdfs_[node.hash_value()] = add_bsdf(read_bsdf(node));
+        return bsdfs_[node.hash_value()] = add_bsdf(read_bsdf(source_, node));
     }
 
     std::uint32_t add_bsdf(Diffuse bsdf) {
@@ -130,7 +82,7 @@ private:
         PointLight light;
         light.position = p.vector("position", glm::dvec3(p.transform("to_world")[3]));
         light.intensity = p.colour("intensity", glm::vec3(1.0F), ColourUse::emission);
-        if (!p.objects().empty()) fail_nested(p, p.objects()[0]);
+        if (!p.objects().empty()) p.fail_nested(p.objects()[0]);
         p.ignore({"sampling_weight"});
         p.finish();
         scene_.point_lights.push_back(light);
@@ -140,7 +92,7 @@ private:
         Properties p(source_, object.node);
         if (object.type != "area") source_.fail(object.named_at, p.label() + " cannot stand inside a shape; supported there: area");
         const glm::vec3 radiance = p.colour("radiance", glm::vec3(1.0F), ColourUse::emission);
-        if (!p.objects().empty()) fail_nested(p, p.objects()[0]);
+        if (!p.objects().empty()) p.fail_nested(p.objects()[0]);
         p.ignore({"sampling_weight"});
         p.finish();
         return radiance;
@@ -164,7 +116,7 @@ private:
                 shape.radiance = read_radiance(object);
                 shape.emits = true;
             } else {
-                fail_nested(p, object);
+                p.fail_nested(object);
             }
         }
         if (!has_bsdf) shape.bsdf = default_bsdf(shape.emits);

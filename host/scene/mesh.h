@@ -41,7 +41,7 @@ Mesh make_rectangle();
 /// [-1, 1]^3, fronts outward.
 Mesh make_cube();
 /// Unit sphere as an icosahedron divided three times: 1280 triangles with vertices on the sphere and its normals. The flat triangles have
-/// 0.8 % less area than the sphere and lie up to 0.6 % of the radius inside it.
+/// 0.5 % less area than the sphere and lie up to 0.5 % of the radius inside it.
 Mesh make_sphere();
 
 }  // namespace pencil

@@ -67,10 +67,23 @@ glm::dmat4 matrix(const XmlSource& source, pugi::xml_node node) {
     return result;
 }
 
+/// Exact for quarter turns, so that boxes put together from turned rectangles share their corners.
+double cos_degrees(double angle) {
+    const double turned = std::abs(std::remainder(angle, 360.0));
+    if (turned == 90.0) return 0.0;
+    return turned == 180.0 ? -1.0 : std::cos(glm::radians(turned));
+}
+
 glm::dmat4 rotation(const XmlSource& source, pugi::xml_node node) {
     const glm::dvec3 axis = parse_vector(source, node, 0.0);
     if (!(glm::length(axis) > 0.0)) source.fail(node, "<rotate> needs an axis that is not zero");
-    return glm::rotate(glm::dmat4(1.0), glm::radians(attribute_number(source, node, "angle")), glm::normalize(axis));
+    const glm::dvec3 a = glm::normalize(axis);
+    const double angle = attribute_number(source, node, "angle");
+    const double c = cos_degrees(angle), s = cos_degrees(angle - 90.0);
+    const glm::dvec3 x(a.x * a.x, a.x * a.y, a.x * a.z), y(a.x * a.y, a.y * a.y, a.y * a.z), z(a.x * a.z, a.y * a.z, a.z * a.z);
+    return {glm::dvec4(x * (1.0 - c) + glm::dvec3(c, s * a.z, -s * a.y), 0.0),
+            glm::dvec4(y * (1.0 - c) + glm::dvec3(-s * a.z, c, s * a.x), 0.0),
+            glm::dvec4(z * (1.0 - c) + glm::dvec3(s * a.y, -s * a.x, c), 0.0), glm::dvec4(0.0, 0.0, 0.0, 1.0)};
 }
 
 void check_attributes(XmlSource& source, pugi::xml_node node, std::initializer_list<std::string> known) {

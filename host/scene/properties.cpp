@@ -62,7 +62,13 @@ std::string Properties::label() const { return escaped(node_.name()) + " type " 
 
 void Properties::fail(const std::string& name, const std::string& message) const {
     const auto place = parameters_.find(name);
-    source_.fail(place == parameters_.end() ? node_ : place->second, label() + ": " + message);
+    source_.fail(place == parameters_.end() ? node_ : place->second, label() + (name.empty() ? " " : ": ") + message);
+}
+
+void Properties::fail_nested(const NestedObject& object) const {
+    const std::string advice = object.kind == "texture" ? "; give a single colour instead" : "";
+    source_.fail(object.named_at,
+                 escaped(object.kind) + " type " + in_quotes(object.type) + " inside " + label() + " is not supported" + advice);
 }
 
 pugi::xml_node Properties::take(const std::string& name) {

@@ -26,7 +26,7 @@ public:
     pugi::xml_node node() const { return node_; }
     /// "bsdf type "diffuse"", for messages.
     std::string label() const;
-    [[noreturn]] void fail(const std::string& name, const std::string& message) const;  // at the parameter, or at the object
+    [[noreturn]] void fail(const std::string& name, const std::string& message) const;  // at the parameter; with no name, at the object
 
     bool has(const std::string& name) const { return parameters_.count(name) != 0; }
     double number(const std::string& name, double absent);
@@ -40,6 +40,8 @@ public:
 
     /// Known, and without effect here.
     void ignore(const std::vector<std::string>& names);
+    /// A nested object that has no business here.
+    [[noreturn]] void fail_nested(const NestedObject& object) const;
     const std::vector<NestedObject>& objects() const { return objects_; }
     /// Warns about parameters that were neither asked for nor ignored.
     void finish();

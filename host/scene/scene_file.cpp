@@ -14,23 +14,22 @@ namespace fs = std::filesystem;
 std::string shown(const fs::path& file) { return escaped(file.string(), 200); }
 
 std::string read_regular_file(const fs::path& file, std::uintmax_t max_bytes, const std::string& where) {
+    const std::string name = '"' + shown(file) + '"';
     std::error_code error;
     const fs::file_status status = fs::status(file, error);
-    if (status.type() == fs::file_type::not_found) throw SceneError(where, in_quotes(file.string()) + " does not exist");
-    if (error) throw SceneError(where, "cannot open " + in_quotes(file.string()) + ": " + error.message());
-    if (status.type() == fs::file_type::directory) throw SceneError(where, in_quotes(file.string()) + " is a directory, not a file");
-    if (status.type() != fs::file_type::regular) throw SceneError(where, in_quotes(file.string()) + " is not a regular file");
+    if (status.type() == fs::file_type::not_found) throw SceneError(where, name + " does not exist");
+    if (error) throw SceneError(where, "cannot open " + name + ": " + error.message());
+    if (status.type() == fs::file_type::directory) throw SceneError(where, name + " is a directory, not a file");
+    if (status.type() != fs::file_type::regular) throw SceneError(where, name + " is not a regular file");
     const std::uintmax_t size = fs::file_size(file, error);
-    if (error) throw SceneError(where, "cannot read " + in_quotes(file.string()) + ": " + error.message());
+    if (error) throw SceneError(where, "cannot read " + name + ": " + error.message());
     if (size > max_bytes) {
-        throw SceneError(where,
-                         in_quotes(file.string()) + " has " + std::to_string(size) + " bytes, the limit is " + std::to_string(max_bytes));
+        throw SceneError(where, name + " has " + std::to_string(size) + " bytes, the limit is " + std::to_string(max_bytes));
     }
     std::ifstream stream(file, std::ios::binary);
     std::string content(static_cast<std::size_t>(size), '\0');
-    if (!stream) throw SceneError(where, "cannot open " + in_quotes(file.string()) + ": no permission to read it?");
-    if (!stream.read(content.data(), static_cast<std::streamsize>(size)))
-        throw SceneError(where, "cannot read " + in_quotes(file.string()));
+    if (!stream) throw SceneError(where, "cannot open " + name + ": no permission to read it?");
+    if (!stream.read(content.data(), static_cast<std::streamsize>(size))) throw SceneError(where, "cannot read " + name);
     return content;
 }
 

@@ -109,8 +109,9 @@ std::string number_defect(std::string_view text) {
     if (error == std::errc::result_out_of_range) return in_quotes(text) + " is outside the range of double precision";
     if (error != std::errc()) return in_quotes(text) + " is not a number";
     if (!std::isfinite(value)) return in_quotes(text) + " is not a finite number";
-    if (*end == ',') return in_quotes(text) + " is not a number (the decimal mark is a point)";
-    return in_quotes(text) + " is not a number: unexpected " + in_quotes(number.substr(static_cast<std::size_t>(end - number.data())));
+    const std::string_view rest = number.substr(static_cast<std::size_t>(end - number.data()));
+    if (!rest.empty() && rest[0] == ',') return in_quotes(text) + " is not a number (the decimal mark is a point)";
+    return in_quotes(text) + " is not a number: unexpected " + in_quotes(rest);
 }
 
 std::string closest_name(const std::string& name, const std::vector<std::string>& candidates) {

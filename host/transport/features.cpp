@@ -10,9 +10,10 @@ Features detect_features(const FlatScene& scene, bool thesis_weights, int film_s
     return features;
 }
 
-Defines to_defines(const Features& features) {
+Defines to_defines(const Features& features, int block) {
     return {{"PENCIL_SMOOTH", features.smooth ? "1" : "0"},
             {"PENCIL_WEIGHTS_THESIS", features.thesis_weights ? "1" : "0"},
+            {"PENCIL_BLOCK", std::to_string(block)},
             {"PENCIL_FILM_SAMPLES", std::to_string(features.film_samples)}};
 }
 
@@ -21,7 +22,7 @@ Launch Kernels::get(const std::string& name, const std::vector<std::string>& lib
                                       "shared/surfel.h", "shared/light.h", "shared/film.h"};
     for (const std::string& library : libraries) files.push_back("lib/" + library + ".cl");
     files.push_back(name + ".cl");
-    return cache_.kernel(name, files, to_defines(features_));
+    return cache_.kernel(name, files, to_defines(features_, block()));
 }
 
 }  // namespace pencil

@@ -1,6 +1,9 @@
 // What a scene and its options need, found once; to_defines is the only place that turns it into kernel defines.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "cl/program.h"
 #include "pencils/flat_scene.h"
 
@@ -13,9 +16,13 @@ struct Features {
 };
 
 Features detect_features(const FlatScene& scene, bool thesis_weights, int film_samples);
-Defines to_defines(const Features& features);
+Defines to_defines(const Features& features, int block);
 
 /// Kernels of one render: the program cache with the render's specialisation.
+/// Libraries of the kernels that test the visibility of packets of surfels.
+inline const std::vector<std::string> kPacketVisibility = {"packet",       "octahedral", "footprint",        "triangle",
+                                                           "surfel_packet", "visibility", "packet_visibility"};
+
 class Kernels {
 public:
     Kernels(std::shared_ptr<Device> device, const Features& features) : cache_(std::move(device)), features_(features) {}
@@ -24,6 +31,9 @@ public:
     const std::shared_ptr<Device>& device() const { return cache_.device(); }
     const Features& features() const { return features_; }
     ProgramCache& cache() { return cache_; }
+    /// Packets per work-item (PENCIL_BLOCK): enough on CPUs to reuse what the caches hold, one where work-items are narrow.
+    int block() const { return device()->packet_width() > 1 ? 8 : 1; }
+    std::size_t blocks(int surfels) const { return (packets(surfels) + static_cast<std::size_t>(block()) - 1) / static_cast<std::size_t>(block()); }
     /// Work-items that cover `surfels` in packets.
     std::size_t packets(int surfels) const {
         int width = device()->packet_width();

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 
+#include "shared/film.h"
+
 namespace pencil {
 
 namespace {
 
 /// Strips are as high as this much memory for hits allows: enough rows to keep all units busy, little beside the rest.
 constexpr std::size_t kStripBytes = std::size_t{96} << 20;
+/// Surfels are numbered through square blocks of pixels, so that neighbouring surfels see neighbouring things.
+constexpr int kNumberedBlock = 8;
 /// Rows per work-item of the film rasteriser.
 constexpr int kBandRows = 8;
 /// Surfels per pixel that the estimate assumes, and rgb layers held at once.
@@ -72,10 +76,15 @@ int Film::number_surfels(const std::shared_ptr<Device>& device) {
     const std::vector<unsigned char> counts = counts_.read();
     std::vector<int> first(counts.size());
     int next = 0;
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-        first[i] = next;
-        next += counts[i] & FILM_COUNT_MASK;
-    }
+    const int width = camera_.width, height = camera_.height;
+    for (int top = 0; top < height; top += kNumberedBlock)
+        for (int left = 0; left < width; left += kNumberedBlock)
+            for (int y = top; y < std::min(top + kNumberedBlock, height); ++y)
+                for (int x = left; x < std::min(left + kNumberedBlock, width); ++x) {
+                    const std::size_t pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+                    first[pixel] = next;
+                    next += counts[pixel] & FILM_COUNT_MASK;
+                }
     first_surfel_ = Buffer<int>(device, first, "first surfels");
     return next;
 }

@@ -8,7 +8,7 @@
 
 namespace pencil {
 
-/// Surfels of all texels of tiles `first` .. `first + count`, in order of tile, row, column. Sets surfels.count.
+/// Surfels of all texels of tiles `first` .. `first + count`, tile by tile, in the order of oct_surfel_texel. Sets surfels.count.
 void gather_surfels(Kernels& kernels, const DeviceScene& scene, const GeometryMaps& maps, int first, int count, Surfels& surfels);
 
 }  // namespace pencil

@@ -4,10 +4,10 @@ namespace pencil {
 
 void light_surfels(Kernels& kernels, const DeviceScene& scene, const Surfels& surfels, const LightSet& lights, Buffer<float>& outgoing,
                    const std::string& what) {
-    kernels.get("light_surfels", {"packet", "octahedral", "footprint", "triangle", "visibility", "surfel_packet"})
-        .args(surfels.data, surfels.capacity, surfels.count, lights.samples, lights.maps.count, lights.maps.cops, lights.maps.plane_atlas,
+    kernels.get("light_surfels", kPacketVisibility)
+        .args(surfels.data, surfels.capacity, surfels.count, lights.samples, lights.maps.count, lights.maps.cops, lights.maps.cells,
               lights.maps.hits, scene.triangles, scene.planes, lights.maps.n, outgoing, 1)
-        .run(kernels.packets(surfels.count), what);
+        .run(kernels.blocks(surfels.count), what);
 }
 
 }  // namespace pencil

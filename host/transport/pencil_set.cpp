@@ -1,5 +1,7 @@
 #include "transport/pencil_set.h"
 
+#include <glm/vec3.hpp>
+
 namespace pencil {
 
 namespace {
@@ -20,7 +22,7 @@ GeometryMaps::GeometryMaps(const std::shared_ptr<Device>& device, const std::vec
       n(tile_size),
       cops(device, positions, what + " centres"),
       hits(device, atlas_texels(positions.size(), tile_size), what + " geometry maps"),
-      plane_atlas(device, atlas_texels(positions.size(), tile_size), what + " plane maps") {}
+      cells(device, atlas_texels(positions.size(), tile_size), what + " footprint cells") {}
 
 PencilSet::PencilSet(const std::shared_ptr<Device>& device, std::shared_ptr<GeometryMaps> geometry)
     : maps(std::move(geometry)), radiance(device, atlas_texels(static_cast<std::size_t>(maps->count), maps->n), "pencil radiance maps") {}

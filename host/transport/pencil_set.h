@@ -1,6 +1,7 @@
 // A set of pencils in device memory: centres and atlases of n x n tiles (kernels/shared/atlas.h). Also the geometry maps of light samples.
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <vector>
 
 #include "cl/buffer.h"
@@ -20,7 +21,7 @@ struct GeometryMaps {
     int n = 0;      // texels along a side
     Buffer<float4> cops;
     Buffer<Hit> hits;
-    Buffer<int> plane_atlas;
+    Buffer<glm::ivec2> cells;  // planes that each footprint shows for sure, see fold_hits.cl
 };
 
 /// Pencils: geometry maps with radiance (rgb) and density weight 1/D (w) per texel. Sets of one fixed iteration share their maps.

@@ -6,8 +6,8 @@ void rasterize_octahedral(Kernels& kernels, const DeviceScene& scene, GeometryMa
     kernels.get("rasterize_octahedral", {"packet", "octahedral", "triangle", "raster"})
         .args(scene.triangles, scene.triangle_count, scene.planes, maps.cops, first, count, maps.n, maps.hits)
         .run(8 * static_cast<std::size_t>(count), "rasterize octahedral maps", 1);
-    kernels.get("fold_hits", {"octahedral"})
-        .args(scene.triangles, first, count, maps.n, maps.hits, maps.plane_atlas)
+    kernels.get("fold_hits", {"octahedral", "triangle"})
+        .args(scene.triangles, scene.planes, maps.cops, first, count, maps.n, maps.hits, maps.cells)
         .run(static_cast<std::size_t>(count) * static_cast<std::size_t>(PENCIL_TILE_TEXELS(maps.n)), "fold geometry maps");
 }
 

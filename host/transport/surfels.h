@@ -6,8 +6,8 @@
 
 namespace pencil {
 
-/// Capacities are multiples of this, so that packets of any width may touch the tail.
-constexpr int kSurfelMultiple = 16;
+/// Capacities are multiples of this, so that blocks of packets of any width may touch the tail.
+constexpr int kSurfelMultiple = 128;
 
 inline int surfel_capacity(int count) { return (count + kSurfelMultiple - 1) / kSurfelMultiple * kSurfelMultiple; }
 

@@ -3,10 +3,10 @@
 namespace pencil {
 
 void test_visibility(Kernels& kernels, const DeviceScene& scene, const Surfels& surfels, const GeometryMaps& maps, Buffer<uint>& mask) {
-    kernels.get("test_visibility", {"packet", "octahedral", "footprint", "triangle", "visibility", "surfel_packet"})
-        .args(surfels.data, surfels.capacity, surfels.count, maps.cops, maps.count, maps.plane_atlas, maps.hits, scene.triangles,
+    kernels.get("test_visibility", kPacketVisibility)
+        .args(surfels.data, surfels.capacity, surfels.count, maps.cops, maps.count, maps.cells, maps.hits, scene.triangles,
               scene.planes, maps.n, mask)
-        .run(kernels.packets(surfels.count), "visibility masks");
+        .run(kernels.blocks(surfels.count), "visibility masks");
 }
 
 }  // namespace pencil

@@ -83,16 +83,14 @@ fs::path resolve(const fs::path& path) {
     if (!fs::is_symlink(path, absent)) {
         return path;
     }
-    const fs::path target = fs::weakly_canonical(path, error);
+    fs::path target = fs::weakly_canonical(path, error);
     if (error) {
         throw OutputError("cannot write " + path.string() + ": " + error.message());
     }
     return target;
 }
 
-fs::path folder_of(const fs::path& path) {
-    return path.has_parent_path() ? path.parent_path() : fs::path(".");
-}
+fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
 
 }  // namespace
 

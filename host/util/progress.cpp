@@ -11,6 +11,7 @@ namespace pencil {
 namespace {
 
 constexpr auto redraw_interval = std::chrono::milliseconds(100);
+constexpr auto line_interval = std::chrono::seconds(10);
 constexpr int bar_width = 30;           // [characters]
 constexpr double earliest_guess = 0.5;  // [s] of work before a remaining time is worth showing
 
@@ -40,13 +41,23 @@ void ProgressDisplay::update(const std::string& stage, double fraction) {
     fraction_ = fraction;
     stage_ = stage;
     if (style_ == Style::lines) {
-        if (new_stage) {
-            std::fprintf(stream_, "pencil: %s\n", stage.c_str());
-            std::fflush(stream_);
-        }
-    } else if (new_stage || now - drawn_ >= redraw_interval) {
+        print_line(stage, fraction, now);
+    } else if (new_stage || now - shown_ >= redraw_interval) {
         draw(stage, fraction, now);
     }
+}
+
+void ProgressDisplay::print_line(const std::string& stage, double fraction, Clock::time_point now) {
+    const bool first_time = seen_.insert(stage).second;
+    if (first_time) {
+        std::fprintf(stream_, "pencil: %s\n", stage.c_str());
+    } else if (now - shown_ >= line_interval) {
+        std::fprintf(stream_, "pencil: %s, %.0f %%\n", stage.c_str(), 100 * fraction);
+    } else {
+        return;
+    }
+    std::fflush(stream_);
+    shown_ = now;
 }
 
 void ProgressDisplay::draw(const std::string& stage, double fraction, Clock::time_point now) {
@@ -60,7 +71,7 @@ void ProgressDisplay::draw(const std::string& stage, double fraction, Clock::tim
     }
     std::fprintf(stream_, "\r\033[K[%s] %3.0f %%  %s left  %s", bar.c_str(), 100 * fraction, remaining.c_str(), stage.c_str());
     std::fflush(stream_);
-    drawn_ = now;
+    shown_ = now;
     visible_ = true;
 }
 

@@ -1,8 +1,10 @@
-// Shows how far a long job is: a bar with the expected remaining time on a terminal, one line per stage elsewhere, or nothing.
+// Shows how far a long job is: a bar with the expected remaining time on a terminal, elsewhere a line for each stage's first time and
+// one when nothing was said for long, or nothing.
 #pragma once
 
 #include <chrono>
 #include <cstdio>
+#include <set>
 #include <string>
 
 namespace pencil {
@@ -26,13 +28,15 @@ public:
 
 private:
     using Clock = std::chrono::steady_clock;
+    void print_line(const std::string& stage, double fraction, Clock::time_point now);
     void draw(const std::string& stage, double fraction, Clock::time_point now);
 
     Style style_;
     std::FILE* stream_;
     std::string stage_;
+    std::set<std::string> seen_;
     double first_fraction_ = 0, fraction_ = 0;  // the estimate counts from the first one
-    Clock::time_point start_ = Clock::now(), drawn_{};
+    Clock::time_point start_ = Clock::now(), shown_{};
     bool visible_ = false;
 };
 

@@ -36,6 +36,15 @@ inline int2 oct_antipode(int2 texel, int n)
     return (int2)(texel.x >= half_n ? half_n - 1 - ax : half_n + ax, texel.y >= half_n ? half_n - 1 - ay : half_n + ay);
 }
 
+/// Texel of surfel `i` of a tile. Surfels run through a tile in blocks of 8 x 8 texels, and in a block in patches of 4 x 2, so that
+/// packets and blocks of packets see neighbouring things. n is a multiple of 8.
+inline int2 oct_surfel_texel(int i, int n)
+{
+    int block = i / 64, patch = i % 64 / 8, lane = i % 8;
+    int2 corner = 8 * (int2)(block % (n / 8), block / (n / 8));
+    return corner + (int2)(patch % 2 * 4 + lane % 4, patch / 2 * 2 + lane / 4);
+}
+
 /// Index of a texel (or of a gutter texel, coordinates -1 and n) in the atlas buffer.
 inline int oct_atlas_index(int tile, int2 texel, int n)
 {

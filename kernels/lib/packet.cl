@@ -15,6 +15,7 @@ typedef uint vuint;
 #define PACKET_TO_INT(v) convert_int(v)
 #define PACKET_TO_FLOAT(v) convert_float(v)
 #define PACKET_LANES (vint)(0)
+#define PACKET_LOAD_PAIRS(p, a, b) (a) = (p)[0], (b) = (p)[1]
 #else
 #define PACKET_JOIN2(a, b) a##b
 #define PACKET_JOIN(a, b) PACKET_JOIN2(a, b)
@@ -27,9 +28,17 @@ typedef PACKET_JOIN(uint, PENCIL_WIDTH) vuint;
 #define PACKET_ANY(mask) any(mask)
 #define PACKET_TO_INT(v) PACKET_JOIN(convert_int, PENCIL_WIDTH)(v)
 #define PACKET_TO_FLOAT(v) PACKET_JOIN(convert_float, PENCIL_WIDTH)(v)
+// Splits PENCIL_WIDTH pairs of ints into their first and second members.
+#if PENCIL_WIDTH == 16
+#define PACKET_LOAD_PAIRS(p, a, b) (a) = (vint)(vload16(0, p).even, vload16(1, p).even), (b) = (vint)(vload16(0, p).odd, vload16(1, p).odd)
+#else
+#define PACKET_LOAD_PAIRS(p, a, b) (a) = PACKET_JOIN(vload, PACKET_TWICE)(0, p).even, (b) = PACKET_JOIN(vload, PACKET_TWICE)(0, p).odd
+#endif
 #if PENCIL_WIDTH == 4
+#define PACKET_TWICE 8
 #define PACKET_LANES (vint)(0, 1, 2, 3)
 #elif PENCIL_WIDTH == 8
+#define PACKET_TWICE 16
 #define PACKET_LANES (vint)(0, 1, 2, 3, 4, 5, 6, 7)
 #elif PENCIL_WIDTH == 16
 #define PACKET_LANES (vint)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15)

@@ -1,13 +1,19 @@
-// Packets of surfels. Needs packet.cl.
+// Packets of surfels. Needs packet.cl. A work-item takes a block of PENCIL_BLOCK packets and runs through it pencil by pencil: neighbouring
+// surfels meet the same texels, which then are in the nearest cache.
 
 /// What the transport loops need of PENCIL_WIDTH surfels.
 typedef struct SurfelPacket {
     vfloat x, y, z;
     vfloat nx, ny, nz;  // shading normal
     vfloat gx, gy, gz;  // geometric normal, loaded only where it differs (PENCIL_SMOOTH)
-    int plane[PENCIL_WIDTH];
-    float px[PENCIL_WIDTH], py[PENCIL_WIDTH], pz[PENCIL_WIDTH];
+    vint plane;
 } SurfelPacket;
+
+/// One lane of a packet in private memory.
+#define LANE_FLOAT(v, l) (((const float *)&(v))[l])
+#define LANE_INT(v, l) (((const int *)&(v))[l])
+
+inline float4 surfel_position(const SurfelPacket *p, int l) { return (float4)(LANE_FLOAT(p->x, l), LANE_FLOAT(p->y, l), LANE_FLOAT(p->z, l), 0.0f); }
 
 inline SurfelPacket load_surfels(global const float *surfels, int capacity, int first)
 {
@@ -24,11 +30,7 @@ inline SurfelPacket load_surfels(global const float *surfels, int capacity, int 
         p.gy = PACKET_LOAD(s + (size_t)SURFEL_GY * capacity);
         p.gz = PACKET_LOAD(s + (size_t)SURFEL_GZ * capacity);
     }
-    vint plane = PACKET_LOAD((global const int *)(s + (size_t)SURFEL_PLANE * capacity));
-    PACKET_STORE(plane, p.plane);
-    PACKET_STORE(p.x, p.px);
-    PACKET_STORE(p.y, p.py);
-    PACKET_STORE(p.z, p.pz);
+    p.plane = PACKET_LOAD((global const int *)(s + (size_t)SURFEL_PLANE * capacity));
     return p;
 }
 

@@ -8,4 +8,8 @@
 #define PENCIL_TILE_STRIDE(size) ((size) + 2 * PENCIL_GUTTER)
 #define PENCIL_TILE_TEXELS(size) (PENCIL_TILE_STRIDE(size) * PENCIL_TILE_STRIDE(size))
 
+
+// In the cell of a footprint: no plane whose surfels are seen for sure (fold_hits.cl).
+#define CELL_MIXED (-2)
+
 #endif

@@ -1,4 +1,4 @@
-// Surfels, structure of arrays in one float buffer: field f of surfel i is at f * capacity + i; capacity is a multiple of 16.
+// Surfels, structure of arrays in one float buffer: field f of surfel i is at f * capacity + i; capacity is a multiple of 128.
 // A surfel that saw nothing has plane -1, zero normal, zero albedo.
 #ifndef PENCIL_SHARED_SURFEL_H
 #define PENCIL_SHARED_SURFEL_H

@@ -12,7 +12,7 @@ TEST(FoldRadiance, OppositeTexelWeightAndGutter) {
     for (const int n : {2, 4, 6, 16, 34}) {
         const int tiles = 4, first = 1, count = 2;
         Kernels kernels = make_kernels();
-        PencilSet set(device(), random_centres(random, tiles), n);
+        PencilSet set(device(), std::make_shared<GeometryMaps>(device(), random_centres(random, tiles), n, "test"));
         std::vector<float4> before(set.radiance.size());
         for (float4& texel : before) texel = to_float4(random.in_box(0, 1), random.uniform());
         set.radiance.write(before);

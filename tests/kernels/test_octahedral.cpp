@@ -103,7 +103,8 @@ TEST_P(Octahedral, FootprintIsTheBilinearPosition) {
         ASSERT_TRUE(column >= 0 && column <= n && row >= 0 && row <= n) << "direction " << i << " footprint at " << column << " " << row;
         ASSERT_TRUE(weight_x[i] >= 0.0F && weight_x[i] <= 1.0F && weight_y[i] >= 0.0F && weight_y[i] <= 1.0F) << "direction " << i;
         // Gutter texel -1 is column 0. Compared as directions: both copies of a point on the seam are right.
-        const dvec2 uv((column + weight_x[i] - 0.5) * 2.0 / n - 1.0, (row + weight_y[i] - 0.5) * 2.0 / n - 1.0);
+        const dvec2 uv((column + static_cast<double>(weight_x[i]) - 0.5) * 2.0 / n - 1.0,
+                       (row + static_cast<double>(weight_y[i]) - 0.5) * 2.0 / n - 1.0);
         const dvec3 got = ref::oct_to_direction(uv), expected = directions[i] / ref::l1_norm(directions[i]);
         ASSERT_LE(glm::distance(got, expected), 2.0 * tolerance::few_operations)
             << "direction " << i << ": " << expected.x << " " << expected.y << " " << expected.z << " -> " << uv.x << " " << uv.y;

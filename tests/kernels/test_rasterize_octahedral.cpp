@@ -138,7 +138,8 @@ TEST(RasterizeOctahedral, MeshWithoutGaps) {
     const int rings = 16;
     const auto at = [&](int i, int j) {
         const double theta = ref::pi * i / rings, phi = ref::pi * (j % (2 * rings)) / rings;
-        return ref::as_float({0.9 * std::sin(theta) * std::cos(phi), 0.9 * std::cos(theta), 0.9 * std::sin(theta) * std::sin(phi)});
+        const double ring = i % rings == 0 ? 0.0 : 0.9 * std::sin(theta);  // the poles are one point each
+        return ref::as_float({ring * std::cos(phi), 0.9 * std::cos(theta), ring * std::sin(phi)});
     };
     for (int i = 0; i < rings; ++i) {
         for (int j = 0; j < 2 * rings; ++j) {

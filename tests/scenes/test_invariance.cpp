@@ -33,6 +33,7 @@ Scene room(double scale = 1.0, const dvec3& offset = dvec3(0.0), bool reversed =
     }
     look_at(scene, at(0.25, 0.5, 0.0625), at(0.5, 0.375, 1), {0, 1, 0}, 70.0, 64, 48);
     scene.sensor.near_clip *= scale;
+    scene.sensor.far_clip *= scale;
     return scene;
 }
 

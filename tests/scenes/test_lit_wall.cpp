@@ -1,6 +1,6 @@
 // The test a self-normalised estimator can fail: unit box, wall x = 0 emits 1, the rest only receives; irradiance on the floor against
 // the exact form factor. Line projection is known to lose the light of near walls: the tests assert what the method promises, and
-//   test_scenes --gtest_filter='LitWall.Table*'   prints the table of docs/accuracy.md.
+//   test_scenes --gtest_also_run_disabled_tests --gtest_filter='*LitWall*Table*'   prints the table of docs/accuracy.md.
 #include <cstdio>
 
 #include "reference/form_factor_ref.h"
@@ -30,13 +30,14 @@ Scene lit_wall_box() {
 }
 
 /// Ratio of the rendered to the exact irradiance at the pixels nearest to the places.
-std::array<double, 5> ratios(Weights weights, int pencils, std::uint64_t seed) {
+std::array<double, 5> ratios(Weights weights, int pencils, int map, std::uint64_t seed) {
     RenderOptions options;
     options.initial = Initial::emission;
     options.bounces = 1;
     options.weights = weights;
     options.pencils = pencils;
     options.seed = seed;
+    options.map = map;
     options.film_samples = 1;
     const RenderResult result = render_layers(lit_wall_box(), options, {"direct", "position"});
     const Layer &direct = layer(result, "direct"), &position = layer(result, "position");
@@ -62,10 +63,10 @@ std::array<double, 5> ratios(Weights weights, int pencils, std::uint64_t seed) {
 struct Row {
     std::array<double, 5> mean{}, rmse{};
 };
-Row row(Weights weights, int pencils, int seeds) {
+Row row(Weights weights, int pencils, int map, int seeds) {
     Row out;
     for (int seed = 0; seed < seeds; ++seed) {
-        const std::array<double, 5> r = ratios(weights, pencils, static_cast<std::uint64_t>(seed));
+        const std::array<double, 5> r = ratios(weights, pencils, map, static_cast<std::uint64_t>(seed));
         for (std::size_t p = 0; p < r.size(); ++p) {
             out.mean[p] += r[p] / seeds;
             out.rmse[p] += (r[p] - 1.0) * (r[p] - 1.0) / seeds;
@@ -76,7 +77,7 @@ Row row(Weights weights, int pencils, int seeds) {
 }
 
 TEST(LitWall, CentreWithinAQuarterEverywhereBounded) {
-    const Row dpdf = row(Weights::dpdf, 128, 3);
+    const Row dpdf = row(Weights::dpdf, 128, 32, 2);
     EXPECT_NEAR(dpdf.mean[0], 1.0, 0.25) << "room centre";
     for (std::size_t p = 0; p < places.size(); ++p) {
         EXPECT_GE(dpdf.mean[p], 0.0) << places[p].name;
@@ -86,24 +87,24 @@ TEST(LitWall, CentreWithinAQuarterEverywhereBounded) {
 }
 
 TEST(LitWall, DpdfConvergesAtTheCentre) {
-    const Row few = row(Weights::dpdf, 32, 4), many = row(Weights::dpdf, 1024, 4);
+    const Row few = row(Weights::dpdf, 16, 32, 4), many = row(Weights::dpdf, 512, 32, 2);
     EXPECT_LT(many.rmse[0], 0.10);
     EXPECT_LT(many.rmse[0], few.rmse[0] + 0.01) << "more pencils must not be worse";
 }
 
 TEST(LitWall, PrintedWeightsOvershoot) {
     // sum_j D_j sum_i 1/D_i >= n^2 (Cauchy & Schwarz), so the printed normaliser only ever adds.
-    const Row printed = row(Weights::thesis, 128, 3), consistent = row(Weights::dpdf, 128, 3);
+    const Row printed = row(Weights::thesis, 128, 32, 2), consistent = row(Weights::dpdf, 128, 32, 2);
     EXPECT_GT(printed.mean[0], 1.1 * consistent.mean[0]);
 }
 
-TEST(LitWall, TableOfDocsAccuracy) {
+TEST(LitWall, DISABLED_TableOfDocsAccuracy) {
     std::printf("irradiance of the lit wall, rendered / exact, mean over 4 seeds (RMSE %%)\n| weights | pencils |");
     for (const Place& place : places) std::printf(" %s |", place.name);
     std::printf("\n|---|---|---|---|---|---|---|\n");
     for (const Weights weights : {Weights::dpdf, Weights::thesis}) {
         for (const int pencils : {128, 512}) {
-            const Row r = row(weights, pencils, 4);
+            const Row r = row(weights, pencils, 64, 4);
             std::printf("| %s | %d |", weights == Weights::dpdf ? "dpdf" : "thesis", pencils);
             for (std::size_t p = 0; p < places.size(); ++p) std::printf(" %.3f (%.0f) |", r.mean[p], 100.0 * r.rmse[p]);
             std::printf("\n");

@@ -1,0 +1,50 @@
+// Runs the program in a child process, as a user would, and keeps what it said. Used by all tests of this folder.
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace pencil_test {
+
+struct RunOptions {
+    std::map<std::string, std::string> environment;  // added to ours
+    long largest_file = 0;                           // [bytes], 0: no limit
+    std::filesystem::path output;                    // where stdout goes; empty: kept
+};
+
+struct RunResult {
+    int code = -1;   // exit status, or -1 if a signal ended it
+    int signal = 0;  // that signal
+    std::string out, err;
+};
+
+/// Waits for it to end.
+RunResult run(const std::vector<std::string>& command, const RunOptions& options = {});
+/// run() of the program under test.
+RunResult run_pencil(std::vector<std::string> arguments, const RunOptions& options = {});
+
+/// A child that runs beside the test.
+class Child {
+public:
+    explicit Child(const std::vector<std::string>& command, const RunOptions& options = {});
+    ~Child();
+    Child(const Child&) = delete;
+    Child& operator=(const Child&) = delete;
+
+    void send(int signal);
+    /// Reads until stderr contains `text`; false if it ends or 120 s pass first.
+    bool wait_for_error_text(const std::string& text);
+    RunResult wait();
+
+private:
+    bool read_some(int timeout_ms);
+    ::pid_t pid_ = -1;
+    int out_ = -1, err_ = -1;
+    RunResult result_;
+};
+
+}  // namespace pencil_test

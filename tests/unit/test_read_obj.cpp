@@ -1,0 +1,127 @@
+// The OBJ reader: every form of index, and every defect with its line.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "scene/read_obj.h"
+#include "util/error.h"
+
+namespace pencil {
+namespace {
+
+std::string defect(const std::string& text) {
+    try {
+        read_obj(text, "m.obj");
+    } catch (const SceneError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+void expect_defect(const std::string& text, const std::string& where, const std::string& part) {
+    const std::string message = defect(text);
+    EXPECT_EQ(message.rfind(where, 0), 0U) << message;
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+}
+
+const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+TEST(ReadObj, TriangleAndQuad) {
+    const Mesh mesh = read_obj(square + "f 1 2 3 4\n", "m.obj");
+    ASSERT_EQ(mesh.positions.size(), 4U);
+    EXPECT_EQ(mesh.positions[2], glm::dvec3(1, 1, 0));
+    ASSERT_EQ(mesh.triangles.size(), 2U);
+    EXPECT_EQ(mesh.triangles[0], glm::uvec3(0, 1, 2));
+    EXPECT_EQ(mesh.triangles[1], glm::uvec3(0, 2, 3));
+    EXPECT_TRUE(mesh.normals.empty());
+}
+
+TEST(ReadObj, AllIndexFormsNameTheSameCorners) {
+    const std::string tables = square + "vt 0 0\nvt 1 0\nvn 0 0 1\nvn 0 0 2\n";
+    for (const char* face : {"f 1/1 2/2 3/1", "f 1//1 2//1 3//1", "f 1/1/1 2/2/1 3/1/2", "f -4 -3 -2", "f -4//-2 -3//-2 -2//-1",
+                             "f -4/-2/-2 -3/-1/-2 -2/-2/-1", "f\t1 2  3 # comment", "f +1 2 3"}) {
+        const Mesh mesh = read_obj(tables + face, "m.obj");
+        ASSERT_EQ(mesh.triangles.size(), 1U) << face;
+        EXPECT_EQ(mesh.positions[1], glm::dvec3(1, 0, 0)) << face;
+        EXPECT_EQ(mesh.positions[2], glm::dvec3(1, 1, 0)) << face;
+        EXPECT_EQ(mesh.normals.empty(),
+                  std::string(face).find("//") == std::string::npos && std::count(face, face + std::strlen(face), '/') < 6)
+            << face;
+    }
+}
+
+TEST(ReadObj, CornersWithDifferentNormalsAreDifferentVertices) {
+    const Mesh mesh = read_obj(square + "vn 0 0 1\nvn 1 0 0\nf 1//1 2//1 3//1\nf 1//2 2//1 4\n", "m.obj");
+    ASSERT_EQ(mesh.positions.size(), 5U);  // corner 1 twice; corner 4 without normal
+    EXPECT_EQ(mesh.triangles[1], glm::uvec3(3, 1, 4));
+    EXPECT_EQ(mesh.normals[3], glm::dvec3(1, 0, 0));
+    EXPECT_EQ(mesh.normals[4], glm::dvec3(0));
+}
+
+TEST(ReadObj, OtherStatementsAreSkipped) {
+    const std::string text =
+        "# c\r\nmtllib ../../etc/passwd\r\no a b\r\ng\r\ns off\r\nusemtl x\r\nv 0 0 0 1\r\nv 1 0 0 .5 .5 .5\r\n"
+        "v 0 1 0\r\nl 1 2\r\n\r\n  f 1 2 3\r\nsomething new";
+    EXPECT_EQ(read_obj(text, "m.obj").triangles.size(), 1U);
+}
+
+TEST(ReadObj, EmptyFileAndNoFacesAreEmptyMeshes) {
+    EXPECT_TRUE(read_obj("", "m.obj").triangles.empty());
+    EXPECT_TRUE(read_obj(square, "m.obj").triangles.empty());
+}
+
+TEST(ReadObj, BadIndices) {
+    expect_defect(square + "f 0 1 2", "m.obj:5: ", "indices start at 1");
+    expect_defect(square + "\nf 1 2 5", "m.obj:6: ", "names vertex 5, but there are 4 so far");
+    expect_defect(square + "f 1 2 -5", "m.obj:5: ", "-5");
+    expect_defect(square + "f 1 2 2147483648", "m.obj:5: ", "2147483648");
+    expect_defect(square + "f 1 2 9223372036854775808", "m.obj:5: ", "is not an index");
+    expect_defect(square + "f 1 2 -9223372036854775808", "m.obj:5: ", "names vertex");
+    expect_defect(square + "f 1 2 4294967297", "m.obj:5: ", "4294967297");
+    expect_defect(square + "f 1//1 2//1 3//1", "m.obj:5: ", "names normal 1, but there are 0");
+    expect_defect(square + "f 1/1 2/1 3/1", "m.obj:5: ", "names texture coordinate 1");
+    expect_defect(square + "f 1/2/3/4 2 3", "m.obj:5: ", "more than three indices");
+    expect_defect(square + "f 1 2 3.5", "m.obj:5: ", "is not an index");
+    expect_defect(square + "f 1 2 x", "m.obj:5: ", "\"x\" is not an index");
+    expect_defect(square + "f /1 2 3", "m.obj:5: ", "is not an index");
+    expect_defect("f 1 2 3\n" + square, "m.obj:1: ", "0 so far");
+}
+
+TEST(ReadObj, BadNumbersAndCounts) {
+    expect_defect("v 0 0", "m.obj:1: ", "v has 2 numbers, not 3");
+    expect_defect("v 0 0 0\nv 1 2 3 4 5 6 7 8", "m.obj:2: ", "more than 7");
+    expect_defect("v 0 nan 0", "m.obj:1: ", "\"nan\" is not a finite number");
+    expect_defect("v 0 0 inf", "m.obj:1: ", "not a finite number");
+    expect_defect("v 0 1e400 0", "m.obj:1: ", "range");
+    expect_defect("v 0 1,5 0", "m.obj:1: ", "decimal mark");
+    expect_defect("v 0x10 0 0", "m.obj:1: ", "\"0x10\" is not a number");
+    expect_defect("v --3 0 0", "m.obj:1: ", "\"--3\" is not a number");
+    expect_defect("v 0 0 0\nvn 0 1", "m.obj:2: ", "vn has 2 numbers");
+    expect_defect("v 0 0 0\nvn 0 1 nan", "m.obj:2: ", "finite");
+    expect_defect(square + "f", "m.obj:5: ", "at least 3 corners");
+    expect_defect(square + "f 1 2", "m.obj:5: ", "this one has 2");
+    expect_defect(square + "f 1 2 \\\n3", "m.obj:5: ", "continued");
+    expect_defect("hello world\n", "m.obj: ", "is it an OBJ file?");
+    expect_defect(std::string("\x89PNG\r\n\0\0\0\rIHDR", 14), "m.obj:2: ", "binary");
+    EXPECT_EQ(defect("v \x1b[31m 0 0").find('\x1b'), std::string::npos);
+}
+
+TEST(ReadObj, LargePolygonsAndLongLines) {
+    std::string text, face = "f";
+    constexpr int corners = 100000;
+    for (int i = 1; i <= corners; ++i) {
+        text += "v " + std::to_string(i) + " 0 0\n";
+        face += " " + std::to_string(i);
+    }
+    EXPECT_EQ(read_obj(text + face, "m.obj").triangles.size(), static_cast<std::size_t>(corners - 2));
+    EXPECT_NE(defect("v 0 0 " + std::string(1 << 20, '7') + "x"), "");
+}
+
+TEST(ReadObj, TruncationNeverCrashes) {
+    const std::string text = square + "vn 0 0 1\nvt 0 0\nf 1/1/1 2/1/1 3/1/1\nf -4 -3 -2 -1\n";
+    for (std::size_t n = 0; n < text.size(); ++n) defect(text.substr(0, n));
+}
+
+}  // namespace
+}  // namespace pencil

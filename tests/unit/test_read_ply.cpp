@@ -1,0 +1,158 @@
+// The PLY reader: one mesh in three encodings, and headers and bodies that lie.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "scene/read_ply.h"
+#include "util/error.h"
+
+namespace pencil {
+namespace {
+
+std::string defect(const std::string& bytes) {
+    try {
+        read_ply(bytes, "m.ply");
+    } catch (const SceneError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+void expect_defect(const std::string& bytes, const std::string& where, const std::string& part) {
+    const std::string message = defect(bytes);
+    EXPECT_EQ(message.rfind(where, 0), 0U) << message;
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+}
+
+template <class T>
+std::string raw(T value, bool big) {
+    char bytes[sizeof(T)];
+    std::memcpy(bytes, &value, sizeof(T));
+    if (big) std::reverse(bytes, bytes + sizeof(T));  // the tests run on little-endian machines
+    return {bytes, sizeof(T)};
+}
+
+std::string header(const std::string& format, int vertices, int faces) {
+    return "ply\nformat " + format + " 1.0\ncomment made by hand\nelement vertex " + std::to_string(vertices) +
+           "\nproperty float x\nproperty double y\nproperty float z\nproperty uchar red\nelement face " + std::to_string(faces) +
+           "\nproperty list uchar int vertex_indices\nproperty short flag\nend_header\n";
+}
+const std::string ascii_body = "0 0 0 255\n1 0 0 255\n1 1 0 255\n\n0 1 0 255\n4 0 1 2 3 -7\n3 0 1 2 7\n";
+
+std::string binary(bool big) {
+    const double positions[4][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    std::string bytes = header(big ? "binary_big_endian" : "binary_little_endian", 4, 2);
+    for (const auto& p : positions)
+        bytes += raw(static_cast<float>(p[0]), big) + raw(p[1], big) + raw(static_cast<float>(p[2]), big) + '\xff';
+    bytes += '\x04';
+    for (std::int32_t i = 0; i < 4; ++i) bytes += raw(i, big);
+    bytes += raw(std::int16_t{-7}, big) + '\x03';
+    for (std::int32_t i = 0; i < 3; ++i) bytes += raw(i, big);
+    return bytes + raw(std::int16_t{7}, big);
+}
+
+void expect_square(const Mesh& mesh) {
+    ASSERT_EQ(mesh.positions.size(), 4U);
+    EXPECT_EQ(mesh.positions[2], glm::dvec3(1, 1, 0));
+    ASSERT_EQ(mesh.triangles.size(), 3U);
+    EXPECT_EQ(mesh.triangles[1], glm::uvec3(0, 2, 3));
+    EXPECT_EQ(mesh.triangles[2], glm::uvec3(0, 1, 2));
+    EXPECT_TRUE(mesh.normals.empty());
+}
+
+TEST(ReadPly, ThreeEncodingsOneMesh) {
+    expect_square(read_ply(header("ascii", 4, 2) + ascii_body, "m.ply"));
+    expect_square(read_ply(binary(false), "m.ply"));
+    expect_square(read_ply(binary(true), "m.ply"));
+}
+
+TEST(ReadPly, NormalsForeignElementsAndCarriageReturns) {
+    const std::string text =
+        "ply\r\nformat ascii 1.0\r\nobj_info x\r\nelement material 1\r\nproperty list uint float shine\r\nproperty int8 k\r\n"
+        "element face 1\r\nproperty list uint8 uint32 vertex_index\r\nelement vertex 3\r\nproperty float64 z\r\n"
+        "property float32 nx\r\nproperty float ny\r\nproperty float nz\r\nproperty float x\r\nproperty float y\r\nend_header\r\n"
+        "2 0.5 1e3 7\r\n3 2 1 0\r\n9 0 0 1 7 8\r\n9 0 0 1 7 9\r\n9 0 1 0 8 8";
+    const Mesh mesh = read_ply(text, "m.ply");
+    EXPECT_EQ(mesh.positions.at(0), glm::dvec3(7, 8, 9));
+    EXPECT_EQ(mesh.normals.at(2), glm::dvec3(0, 1, 0));
+    EXPECT_EQ(mesh.triangles.at(0), glm::uvec3(2, 1, 0));
+}
+
+TEST(ReadPly, EmptyMeshes) {
+    EXPECT_TRUE(read_ply(header("ascii", 0, 0), "m.ply").triangles.empty());
+    EXPECT_TRUE(read_ply(header("binary_big_endian", 0, 0), "m.ply").triangles.empty());
+}
+
+TEST(ReadPly, CountsAreCheckedBeforeAnythingIsAllocated) {
+    for (const std::string format : {"ascii", "binary_little_endian", "binary_big_endian"}) {
+        const auto counted = [&](const std::string& count) {
+            return "ply\nformat " + format + " 1.0\nelement vertex " + count +
+                   "\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n";
+        };
+        expect_defect(counted("1000000000"), "m.ply:3: ", "the file ends too early");
+        expect_defect(counted("9223372036854775807"), "m.ply:3: ", "the file ends too early");
+        expect_defect(counted("9223372036854775808"), "m.ply:3: ", "is not a number of things");
+        expect_defect(counted("-1"), "m.ply:3: ", "is not a number of things");
+        expect_defect("ply\nformat " + format +
+                          " 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\n"
+                          "element nothing 9223372036854775807\nend_header\n",
+                      "m.ply:7: ", "has no properties");
+    }
+}
+
+TEST(ReadPly, BadHeaders) {
+    expect_defect("", "m.ply:1: ", "end_header");
+    expect_defect("plx\n", "m.ply:1: ", "the first line is not \"ply\"");
+    expect_defect("ply\nformat ascii 2.0\nend_header\n", "m.ply:2: ", "ENCODING 1.0");
+    expect_defect("ply\nformat binary_middle_endian 1.0\nend_header\n", "m.ply:2: ", "is not known");
+    expect_defect("ply\nend_header\n", "m.ply:2: ", "no format line");
+    expect_defect("ply\nformat ascii 1.0\nend_header\n", "m.ply: ", "no element \"vertex\"");
+    expect_defect("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nend_header\n0 0\n",
+                  "m.ply:3: ", "x, y and z");
+    expect_defect("ply\nformat ascii 1.0\nelement vertex 1\nproperty half x\nend_header\n", "m.ply:4: ", "\"half\" is not known");
+    expect_defect("ply\nformat ascii 1.0\nproperty float x\n", "m.ply:3: ", "before the first element");
+    expect_defect("ply\nformat ascii 1.0\nelement face 1\nproperty list float int vertex_indices\n", "m.ply:4: ", "must be an integer");
+    expect_defect("ply\nformat ascii 1.0\nelement vertex\n", "m.ply:3: ", "NAME COUNT");
+    expect_defect("ply\nformat ascii 1.0\nwhatever\n", "m.ply:3: ", "unknown header word");
+    expect_defect("ply\nformat ascii 1.0\n" + std::string(1 << 20, 'c') + "\nend_header\n", "m.ply:3: ", "65536 bytes");
+    expect_defect(header("ascii", 1, 0) + "0 0      \n", "m.ply:13: ", "too few values");
+    std::string doubles = header("ascii", 4, 2) + ascii_body;
+    doubles.replace(doubles.find("uchar int"), 9, "uchar double");
+    expect_defect(doubles, "m.ply:9: ", "vertex indices must be integers");
+}
+
+TEST(ReadPly, BadBodies) {
+    const std::string head = header("ascii", 3, 1);
+    expect_defect(head + "0 0 0 1\n0 0 0 1\n0 0 0 1 5\n3 0 1 2 0\n", "m.ply:15: ", "more values than the header says");
+    expect_defect(head + "0 0 0 1\n0 nan 0 1\n0 0 0 1\n3 0 1 2 0\n", "m.ply:14: ", "\"nan\" is not a finite number");
+    expect_defect(head + "0 0 0 1\n0 1,5 0 1\n0 0 0 1\n3 0 1 2 0\n", "m.ply:14: ", "decimal mark");
+    expect_defect(head + "0 0 0 1\n0 0 0 1\n0 0 0 1\n3 0 1 3 0\n", "m.ply: ", "names vertex 3, but there are 3");
+    expect_defect(head + "0 0 0 1\n0 0 0 1\n0 0 0 1\n3 0 1 -1 0\n", "m.ply:16: ", "out of range");
+    expect_defect(head + "0 0 0 1\n0 0 0 1\n0 0 0 1\n2 0 1 0   \n", "m.ply:16: ", "fewer than 3");
+    expect_defect(head + "0 0 0 1\n0 0 0 1\n0 0 0 1\n4000000000 0 1 2 0\n", "m.ply:16: ", "impossible length");
+    expect_defect(head + "0 0 0 1\n0 0 0 1\n0 0 0 1\n-3 0 1 2 0\n", "m.ply:16: ", "impossible length");
+    expect_defect(head + "0 0 0 1\n0 0 0 1\n0 0 0 1\n3.5 0 1 2 0\n", "m.ply:16: ", "is not an integer");
+    std::string bytes = binary(false);
+    const std::size_t body = bytes.find("end_header\n") + 11;
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    std::string bad = bytes;
+    std::memcpy(&bad[body], &nan, sizeof nan);
+    expect_defect(bad, "m.ply: ", "position of vertex 0 is not finite");
+    bad = bytes;
+    bad[body + 4 * 17 + 1 + 3] = '\x7f';  // the first face's first index becomes huge
+    expect_defect(bad, "m.ply: ", "names vertex 2130706432");
+    std::string signed_length =
+        "ply\nformat binary_little_endian 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\n"
+        "element face 1\nproperty list char int vertex_indices\nend_header\n\xff????";
+    expect_defect(signed_length, "m.ply: ", "impossible length");
+}
+
+TEST(ReadPly, TruncationNeverCrashes) {
+    for (const std::string& bytes : {header("ascii", 4, 2) + ascii_body, binary(false), binary(true)}) {
+        for (std::size_t n = 0; n + 2 < bytes.size(); ++n) EXPECT_NE(defect(bytes.substr(0, n)), "") << n;
+    }
+}
+
+}  // namespace
+}  // namespace pencil
