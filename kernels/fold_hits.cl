@@ -50,6 +50,10 @@ kernel void fold_hits(global const Triangle *triangles, global const float4 *pla
         plane[k] = planes[max(shown[k], 0)];
         directions[k] = oct_texel_direction(corner, n);
     }
+    if (shown[0] == shown[1] && shown[0] == shown[2] && shown[0] == shown[3]) {
+        cells[target] = (int2)(shown[0]);
+        return;
+    }
     int safe[2] = {CELL_MIXED, CELL_MIXED};
     int found = 0;
     for (int a = 0; a < 4; ++a) {
@@ -58,6 +62,5 @@ kernel void fold_hits(global const Triangle *triangles, global const float4 *pla
             hidden = hidden || (shown[a] >= 0 && shown[b] >= 0 && shown[a] != shown[b] && plane_hides(shown, plane, directions, a, b, cop));
         if (!hidden && found < 2 && shown[a] != safe[0]) safe[found++] = shown[a];
     }
-    bool filled = shown[0] == shown[1] && shown[0] == shown[2] && shown[0] == shown[3];
-    cells[target] = (int2)(safe[0], filled ? safe[0] : safe[1]);
+    cells[target] = (int2)(safe[0], safe[1]);
 }

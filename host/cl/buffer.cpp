@@ -77,11 +77,12 @@ void BufferStorage::fill_zero() {
             });
 }
 
-void BufferStorage::copy_from(const BufferStorage& other) {
-    check_range("copying", 0, other.bytes_);
-    if (other.bytes_ == 0) return;
+void BufferStorage::copy_from(const BufferStorage& other, std::size_t source, std::size_t target, std::size_t bytes) {
+    other.check_range("copying", source, bytes);
+    check_range("copying to", target, bytes);
+    if (bytes == 0) return;
     cl_call([&] { return "copying " + other.what_ + " to " + what_ + " on " + device_->info().name; },
-            [&] { device_->queue().enqueueCopyBuffer(other.buffer_, buffer_, 0, 0, other.bytes_); });
+            [&] { device_->queue().enqueueCopyBuffer(other.buffer_, buffer_, source, target, bytes); });
 }
 
 std::size_t checked_bytes(std::size_t count, std::size_t size, const std::string& what) {

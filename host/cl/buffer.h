@@ -21,7 +21,7 @@ public:
     void read(void* to, std::size_t offset, std::size_t bytes) const;
     void write(const void* from, std::size_t offset, std::size_t bytes);
     void fill_zero();
-    void copy_from(const BufferStorage& other);
+    void copy_from(const BufferStorage& other, std::size_t source, std::size_t target, std::size_t bytes);
     const cl::Buffer& handle() const { return buffer_; }
     const std::string& what() const { return what_; }
 
@@ -63,8 +63,10 @@ public:
     }
     std::vector<T> read() const { return read(0, count_); }
     void fill_zero() { storage().fill_zero(); }
-    /// Copies all of `other`, which has the same size, on the device.
-    void copy_from(const Buffer& other) { storage().copy_from(other.storage()); }
+    /// Copies elements source .. source + count of `other` to target .., on the device.
+    void copy_from(const Buffer& other, std::size_t source, std::size_t target, std::size_t count) {
+        storage().copy_from(other.storage(), source * sizeof(T), target * sizeof(T), count * sizeof(T));
+    }
 
 private:
     BufferStorage& storage() const {

@@ -20,12 +20,10 @@ std::string light_sentence(const Scene& scene, const std::vector<LightForm>& for
 }  // namespace
 
 std::vector<std::string> explain(const Scene& scene, const RenderOptions& options, const std::vector<LightForm>& forms, const Features& features,
-                                 const Solids& solids, const Device& device) {
+                                 const Device& device) {
     std::vector<std::string> lines;
     lines.push_back("packets of " + std::to_string(device.packet_width()) + " surfels per work-item on " + device.info().name);
     lines.push_back(light_sentence(scene, forms, options.initial));
-    lines.push_back("placement: " + std::to_string(solids.count()) +
-                    " closed shapes are solids and hold no pencil; open meshes and single walls enclose nothing");
     lines.push_back(options.weights == Weights::thesis ? "weights: the printed normaliser of eq. (5.33), which is not consistent"
                                                        : "weights: self-normalised 1/D, beta from the number of visible pencils");
     lines.push_back(options.iterate == Iterate::fixed ? "iteration: one fixed set; its geometry maps and density are made once"

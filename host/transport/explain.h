@@ -5,13 +5,12 @@
 #include <vector>
 
 #include "pencils/flat_scene.h"
-#include "pencils/place_pencils.h"
 #include "transport/features.h"
 #include "transport/render.h"
 
 namespace pencil {
 
 std::vector<std::string> explain(const Scene& scene, const RenderOptions& options, const std::vector<LightForm>& forms, const Features& features,
-                                 const Solids& solids, const Device& device);
+                                 const Device& device);
 
 }  // namespace pencil

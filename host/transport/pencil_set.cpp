@@ -24,6 +24,13 @@ GeometryMaps::GeometryMaps(const std::shared_ptr<Device>& device, const std::vec
       hits(device, atlas_texels(positions.size(), tile_size), what + " geometry maps"),
       cells(device, atlas_texels(positions.size(), tile_size), what + " footprint cells") {}
 
+void GeometryMaps::copy_tile(const GeometryMaps& other, int source, int target) {
+    const std::size_t texels = atlas_texels(1, n), from = static_cast<std::size_t>(source), to = static_cast<std::size_t>(target);
+    cops.copy_from(other.cops, from, to, 1);
+    hits.copy_from(other.hits, from * texels, to * texels, texels);
+    cells.copy_from(other.cells, from * texels, to * texels, texels);
+}
+
 PencilSet::PencilSet(const std::shared_ptr<Device>& device, std::shared_ptr<GeometryMaps> geometry)
     : maps(std::move(geometry)), radiance(device, atlas_texels(static_cast<std::size_t>(maps->count), maps->n), "pencil radiance maps") {}
 

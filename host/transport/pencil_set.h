@@ -17,6 +17,9 @@ struct GeometryMaps {
     GeometryMaps() = default;
     GeometryMaps(const std::shared_ptr<Device>& device, const std::vector<float4>& positions, int tile_size, const std::string& what);
 
+    /// Copies one tile of maps of the same size.
+    void copy_tile(const GeometryMaps& other, int source, int target);
+
     int count = 0;  // tiles
     int n = 0;      // texels along a side
     Buffer<float4> cops;

@@ -8,7 +8,6 @@
 #include "transport/gather_surfels.h"
 #include "transport/light_surfels.h"
 #include "transport/project_pencils.h"
-#include "transport/rasterize_octahedral.h"
 #include "transport/store_radiance.h"
 #include "transport/test_visibility.h"
 
@@ -32,9 +31,9 @@ int chunk_tiles(int n, int pencils) {
 
 }  // namespace
 
-PencilSolver::PencilSolver(Kernels& kernels, const DeviceScene& scene, const FlatScene& flat, const Solids& solids, const LightSet& lights,
+PencilSolver::PencilSolver(Kernels& kernels, const DeviceScene& scene, const FreeSpace& free_space, const LightSet& lights,
                            const RenderOptions& options, StageClock& clock)
-    : kernels_(kernels), scene_(scene), flat_(flat), solids_(solids), lights_(lights), options_(options), clock_(clock) {}
+    : kernels_(kernels), scene_(scene), free_space_(free_space), lights_(lights), options_(options), clock_(clock) {}
 
 int PencilSolver::set_size(int index) const {
     const double size = options_.pencils * std::pow(options_.decay, index);
@@ -45,9 +44,7 @@ PencilSet PencilSolver::create(int index) {
     PencilSet set;
     times_.maps += clock_.run("pencil maps", [&] {
         const Sequence sequence = options_.placement == Placement::random ? Sequence::random : Sequence::low_discrepancy;
-        const std::vector<float4> centres = place_pencils(flat_, solids_, sequence, set_size(index), index, options_.seed);
-        set = PencilSet(kernels_.device(), std::make_shared<GeometryMaps>(kernels_.device(), centres, options_.map, "pencil"));
-        rasterize_octahedral(kernels_, scene_, *set.maps, 0, set.maps->count);
+        set = PencilSet(kernels_.device(), free_space_.create(kernels_, sequence, set_size(index), index, options_.seed));
     });
     return set;
 }

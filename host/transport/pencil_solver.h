@@ -1,9 +1,9 @@
 // One pencil set after the other: creation, initial gather, transport. Knows kernels and sets, not the film.
 #pragma once
 
-#include "pencils/place_pencils.h"
 #include "transport/device_scene.h"
 #include "transport/features.h"
+#include "transport/free_space.h"
 #include "transport/pencil_set.h"
 #include "transport/render.h"
 #include "transport/stage_clock.h"
@@ -18,8 +18,8 @@ struct SetTimes {
 
 class PencilSolver {
 public:
-    PencilSolver(Kernels& kernels, const DeviceScene& scene, const FlatScene& flat, const Solids& solids, const LightSet& lights,
-                 const RenderOptions& options, StageClock& clock);
+    PencilSolver(Kernels& kernels, const DeviceScene& scene, const FreeSpace& free_space, const LightSet& lights, const RenderOptions& options,
+                 StageClock& clock);
 
     /// Set number `index` of the series: its size by --decay, its centres, geometry maps.
     int set_size(int index) const;
@@ -36,8 +36,7 @@ public:
 private:
     Kernels& kernels_;
     const DeviceScene& scene_;
-    const FlatScene& flat_;
-    const Solids& solids_;
+    const FreeSpace& free_space_;
     const LightSet& lights_;
     const RenderOptions& options_;
     StageClock& clock_;

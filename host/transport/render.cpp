@@ -37,7 +37,6 @@ public:
           options_(options),
           forms_(choose_light_forms(scene, options.initial == Initial::direct, options.initial == Initial::emission)),
           flat_(flatten(scene, forms_, options.width, options.height)),
-          solids_(scene, flat_),
           kernels_(device, detect_features(flat_, options.weights == Weights::thesis, options.film_samples)),
           clock_(device, progress),
           device_scene_(device, flat_),
@@ -69,7 +68,14 @@ private:
                               std::to_string(static_cast<long long>(available / (1 << 20))) + " MiB exist; use a smaller --resolution");
     }
 
-    void explain_decisions() { result_.stats.explain = explain(scene_, options_, forms_, kernels_.features(), solids_, *kernels_.device()); }
+    void explain_decisions() { result_.stats.explain = explain(scene_, options_, forms_, kernels_.features(), *kernels_.device()); }
+
+    void explain_rooms(const FreeSpace& free_space) {
+        std::string rooms;
+        for (int shape : free_space.rooms()) rooms += (rooms.empty() ? "" : ", ") + scene_.shapes[static_cast<std::size_t>(shape)].id;
+        result_.stats.explain.push_back("placement: pencils are rejected where the backs of one shape fill more than half of the view" +
+                                        (rooms.empty() ? std::string() : "; rooms, because the camera or a light is inside: " + rooms));
+    }
 
     void make_lights() {
         const std::vector<LightSample> samples = sample_lights(scene_, flat_, forms_, options_.light_samples, options_.seed);
@@ -91,9 +97,14 @@ private:
 
     /// thesis alg. 6.4, or eq. (6.1) for one fixed set. The maps of step k hold the radiance of bounce order k and make layer k + 1.
     void bounce() {
-        PencilSolver solver(kernels_, device_scene_, flat_, solids_, lights_, options_, clock_);
         int order = maps_emit_ ? 0 : 1;
         if (!wanted(order + 1) || clock_.stopped()) return;
+        std::unique_ptr<FreeSpace> free_space;
+        clock_.run("pencil maps", [&] {
+            free_space = std::make_unique<FreeSpace>(kernels_, device_scene_, flat_, lights_.maps.count > 0 ? &lights_.maps : nullptr, options_.map);
+        });
+        explain_rooms(*free_space);
+        PencilSolver solver(kernels_, device_scene_, *free_space, lights_, options_, clock_);
         PencilSet set = solver.create(0);
         solver.fill(set, nullptr, maps_emit_, !maps_emit_, true);
         for (int index = 0;; ++index, ++order) {
@@ -116,7 +127,7 @@ private:
     PencilSet next_set(PencilSolver& solver, const PencilSet& set, int index, bool direct) {
         const bool fixed = options_.iterate == Iterate::fixed;
         PencilSet next = fixed ? PencilSet(kernels_.device(), set.maps) : solver.create(index);
-        if (fixed) next.radiance.copy_from(set.radiance);  // the quadrature weights stay, the radiance is overwritten
+        if (fixed) next.radiance.copy_from(set.radiance, 0, 0, set.radiance.size());  // the quadrature weights stay, the radiance is overwritten
         solver.fill(next, &set, false, direct, !fixed);
         return next;
     }
@@ -181,7 +192,6 @@ private:
     RenderOptions options_;
     std::vector<LightForm> forms_;
     FlatScene flat_;
-    Solids solids_;
     Kernels kernels_;
     StageClock clock_;
     DeviceScene device_scene_;
