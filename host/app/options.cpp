@@ -69,11 +69,11 @@ void add_solver_options(CLI::App& app, RenderCommand& command) {
         [&options](const std::string& text) { options.decay = parse_real(text, 0, false, 1); });
     add(app, "--bounces", "Reflections at most, direct light being the first: auto or 0 to 1000; the scene's max_depth if absent", "K", "",
         [&command](const std::string& text) { command.bounces = text == "auto" ? -1 : static_cast<int>(parse_integer(text, 0, 1000)); });
-    add(app, "--map", "Width of a pencil's octahedral map in texels, even [8 to 1024]", "N", std::to_string(options.map),
+    add(app, "--map", "Width of a pencil's octahedral map in texels, a multiple of 8 [8 to 1024]", "N", std::to_string(options.map),
         [&options](const std::string& text) {
             options.map = static_cast<int>(parse_integer(text, 8, 1024));
-            if (options.map % 2 != 0) {
-                throw std::invalid_argument("\"" + text + "\" is not even");
+            if (options.map % 8 != 0) {
+                throw std::invalid_argument("\"" + text + "\" is not a multiple of 8");
             }
         });
     add_integer(app, "--light-samples", options.light_samples, 1, many, "Point samples over all emitters");
@@ -91,7 +91,7 @@ void add_film_options(CLI::App& app, RenderCommand& command) {
     RenderOptions& options = command.options;
     add(app, "--resolution", "Size of the image in pixels; the scene's if absent", "WxH", "",
         [&options](const std::string& text) { std::tie(options.width, options.height) = parse_resolution(text); });
-    add_integer(app, "--film-samples", options.film_samples, 1, 4096, "Visibility samples of a pixel");
+    add_integer(app, "--film-samples", options.film_samples, 1, 64, "Visibility samples of a pixel");
     command.aovs = all_aovs();
     add(app, "--aov", "Layers beside the beauty, separated by commas {" + join(all_aovs()) + "}, or all, or none", "A,B", "all",
         [&command](const std::string& text) { command.aovs = parse_list(text, all_aovs()); });

@@ -70,7 +70,10 @@ Json launches_json(const RunReport& report) {
 Json bounces_json(const RenderStats& stats) {
     Json bounces = Json::array();
     for (const BounceReport& bounce : stats.bounces) {
-        bounces.push_back({{"order", bounce.order}, {"pencils", bounce.pencils}, {"mean", {bounce.mean.x, bounce.mean.y, bounce.mean.z}}});
+        bounces.push_back({{"order", bounce.order},
+                           {"pencils", bounce.pencils},
+                           {"mean", {bounce.mean.x, bounce.mean.y, bounce.mean.z}},
+                           {"projection_seconds", bounce.projection_seconds}});
     }
     return bounces;
 }

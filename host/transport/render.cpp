@@ -43,6 +43,7 @@ public:
           layers_(aovs) {}
 
     RenderResult run() {
+        check_options();
         check_memory();
         explain_decisions();
         clock_.run("film geometry", [&] { film_ = std::make_unique<Film>(kernels_, device_scene_, flat_.camera, scene_.sensor.filter, options_.seed); });
@@ -58,6 +59,14 @@ public:
     }
 
 private:
+    /// Limits of the kernels' 32-bit indices and layouts, for callers that bypass the command line.
+    void check_options() {
+        if (options_.map < 8 || options_.map % 8 != 0) throw UsageError("the map size must be a multiple of 8, not " + std::to_string(options_.map));
+        if (options_.film_samples < 1 || options_.film_samples > 64)
+            throw UsageError("film samples must be 1 to 64, not " + std::to_string(options_.film_samples));
+        if (options_.pencils < 1 || options_.decay <= 0 || options_.decay > 1) throw UsageError("at least one pencil and a decay in (0, 1] are needed");
+    }
+
     void check_memory() {
         const double pixels = static_cast<double>(flat_.camera.width) * flat_.camera.height;
         const double bytes = film_bytes(pixels, options_.film_samples);

@@ -22,7 +22,7 @@ struct RenderOptions {
     int pencils = 128;
     double decay = 0.7;      // size of the next pencil set relative to the last
     int bounces = -1;        // reflections at most, direct light included; -1: until the tolerance
-    int map = 64;            // octahedral tile size [texels]
+    int map = 64;            // octahedral tile size, a multiple of 8 [texels]
     int light_samples = 64;
     Initial initial = Initial::automatic;
     Placement placement = Placement::lds;
@@ -31,7 +31,7 @@ struct RenderOptions {
     double tolerance = 1e-3;  // of the radiance a bounce adds, relative to the sum
     int width = 0, height = 0;  // 0: the scene's film size
     std::uint64_t seed = 0;
-    int film_samples = 16;  // visibility samples per pixel
+    int film_samples = 16;  // visibility samples per pixel, 1 to 64
 };
 
 /// One image: `channels` floats per pixel, rows from the top.

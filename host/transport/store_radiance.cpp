@@ -7,9 +7,10 @@ void store_radiance(Kernels& kernels, const Surfels& surfels, const Buffer<float
     kernels.get("store_radiance", {"octahedral"})
         .args(outgoing, surfels.capacity, first, count, n, set.radiance)
         .run(static_cast<std::size_t>(count) * static_cast<std::size_t>(n * n), "store radiance");
-    kernels.get("fold_radiance", {"octahedral"})
-        .args(first, count, n, set.radiance)
-        .run(static_cast<std::size_t>(count) * static_cast<std::size_t>(4 * (n + 1)), "fold radiance maps");
+    const std::size_t texels = static_cast<std::size_t>(PENCIL_TILE_TEXELS(n)), all = static_cast<std::size_t>(count) * texels;
+    Buffer<float4> sharp(kernels.device(), all, "radiance before smoothing");
+    sharp.copy_from(set.radiance, static_cast<std::size_t>(first) * texels, 0, all);
+    kernels.get("smooth_radiance", {"octahedral"}).args(sharp, first, count, n, set.radiance).run(all, "smooth radiance maps");
 }
 
 }  // namespace pencil

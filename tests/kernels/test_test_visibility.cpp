@@ -1,5 +1,6 @@
-// V(x, c) of thesis eq. (5.17) as the maps decide it. Where the four texels around the direction agree the answer must be the exact one;
-// at silhouettes a map of n texels may err, and the tests measure how often: leaks (seen through something) and acne (wrongly hidden).
+// V(x, c) of thesis eq. (5.17) as the maps decide it. What the four texels around the direction show must be
+// believed exactly; what hides between them a map of n texels may miss, and the tests measure how often: leaks (seen through something) and
+// acne (wrongly hidden).
 #include "kernels/kernel_test.h"
 #include "reference/visibility_ref.h"
 #include "transport/test_visibility.h"
@@ -82,6 +83,8 @@ TEST(TestVisibility, APencilSeesTheSurfelsOfItsOwnTexels) {
 
 struct Rates {
     int pairs = 0, leaks = 0, acne = 0, strict = 0;
+    int hidden_though_shown = 0, seen_through = 0;  // against what the footprint itself shows: never
+    std::string first;
 };
 
 Rates compare_with_truth(const TestScene& scene, const std::vector<float4>& centres, const Masks& m, int n) {
@@ -98,21 +101,20 @@ Rates compare_with_truth(const TestScene& scene, const std::vector<float4>& cent
             if (m.sees(i, p) && !truth.visible) ++out.leaks;
             if (!m.sees(i, p) && truth.visible) ++out.acne;
             const ref::Footprint f = ref::bilinear_footprint(ref::direction_to_oct(x - c), n);
-            bool all_own = true, all_one = true;
-            const int first = m.hits[atlas_index(p, f.x, f.y, n)].triangle;
+            bool all_own = true, crossed = false;
             for (int k = 0; k < 4; ++k) {
                 const int seen = m.hits[atlas_index(p, f.x + k % 2, f.y + k / 2, n)].triangle;
-                all_own = all_own && seen >= 0 && scene.triangles[static_cast<std::size_t>(seen)].plane == m.surfels.plane(i);
-                all_one = all_one && seen == first;
+                const bool own = seen >= 0 && scene.triangles[static_cast<std::size_t>(seen)].plane == m.surfels.plane(i);
+                all_own = all_own && own;
+                if (seen < 0 || own) continue;
+                const ref::Visibility past = ref::segment_visibility({scene.triangles[static_cast<std::size_t>(seen)]}, x, c, {});
+                crossed = crossed || (!past.visible && past.margin > 1e-5);
             }
-            if (all_own) {
-                ++out.strict;
-                EXPECT_TRUE(m.sees(i, p)) << "surfel " << i << " pencil " << p << ": all four texels show its plane";
-            } else if (all_one && first >= 0) {
-                const bool hides = !ref::segment_visibility({scene.triangles[static_cast<std::size_t>(first)]}, x, c, {}).visible;
-                out.strict += hides ? 1 : 0;
-                EXPECT_FALSE(hides && m.sees(i, p))
-                    << "surfel " << i << " pencil " << p << ": all four texels show triangle " << first << " in front";
+            out.strict += all_own || crossed ? 1 : 0;
+            if (all_own && !m.sees(i, p)) ++out.hidden_though_shown;
+            if (crossed && m.sees(i, p) && out.seen_through++ == 0) {
+                out.first =
+                    "surfel " + std::to_string(i) + " on plane " + std::to_string(m.surfels.plane(i)) + ", pencil " + std::to_string(p);
             }
         }
     }
@@ -130,12 +132,48 @@ TEST(TestVisibility, LeaksAndAcneShrinkWithTheMap) {
         const Masks m = masks(kernels, on_device, gathered(kernels, on_device, viewers, 32, 3000), centres, n);
         const Rates r = compare_with_truth(scene, centres, m, n);
         const double leaks = static_cast<double>(r.leaks) / r.pairs, acne = static_cast<double>(r.acne) / r.pairs;
-        std::printf("n %3d: %d pairs, decided by agreeing texels %.1f %%, leaks %.3f %%, acne %.3f %%\n", n, r.pairs,
+        std::printf("n %3d: %d pairs, decided by the footprint %.1f %%, leaks %.3f %%, acne %.3f %%\n", n, r.pairs,
                     100.0 * r.strict / r.pairs, 100 * leaks, 100 * acne);
         EXPECT_GT(r.pairs, 10000);
+        EXPECT_EQ(r.hidden_though_shown, 0) << "n " << n << ": all four texels show the surfel's plane";
+        EXPECT_EQ(r.seen_through, 0) << "n " << n << ": the segment crosses a triangle that the footprint shows; first: " << r.first;
         EXPECT_LE(leaks + acne, n == 8 ? 0.10 : n == 32 ? 0.03 : 0.01) << "n " << n;
         EXPECT_LT(leaks + acne, last) << "n " << n;
         last = leaks + acne;
+    }
+}
+
+/// A room cut by a two-sided sheet that stands on its floor: the floor's plane goes on behind the sheet.
+TEST(TestVisibility, NothingIsSeenThroughAStandingSheet) {
+    std::vector<ref::Triangle> triangles = box_triangles();
+    const double h = 0.75;
+    triangles.push_back({{0, -h, -h}, {0, h, -h}, {0, h, h}, 6});
+    triangles.push_back({{0, -h, -h}, {0, h, h}, {0, -h, h}, 6});
+    const TestScene scene = make_scene(triangles, 14, 69);
+    Kernels kernels = make_kernels();
+    const DeviceScene on_device(device(), scene.flat);
+    Random random(70);
+    std::vector<float4> centres, viewers;
+    for (int i = 0; i < 30; ++i)
+        centres.push_back(to_float4({-random.uniform(0.02, 0.7), random.uniform(-0.7, 0.7), random.uniform(-0.7, 0.7)}));
+    for (int i = 0; i < 4; ++i)
+        viewers.push_back(to_float4({random.uniform(0.02, 0.7), random.uniform(-0.7, 0.7), random.uniform(-0.7, 0.7)}));
+    for (const int n : {16, 64}) {
+        const Masks m = masks(kernels, on_device, gathered(kernels, on_device, viewers, 32, 4096), centres, n);
+        int leaks = 0, pairs = 0;
+        std::string first;
+        for (int i = 0; i < m.surfels.count; ++i) {
+            const dvec3 x = m.surfels.position(i);
+            if (m.surfels.plane(i) < 0 || x.x < 1e-5) continue;
+            for (int p = 0; p < static_cast<int>(centres.size()); ++p) {
+                ++pairs;
+                if (!m.sees(i, p) || leaks++ > 0) continue;
+                first = "x " + std::to_string(x.x) + " " + std::to_string(x.y) + " " + std::to_string(x.z) + " on plane " +
+                        std::to_string(m.surfels.plane(i)) + " from pencil " + std::to_string(p);
+            }
+        }
+        // Where sheet, floor and wall meet in one point the sheet may fall between four texels.
+        EXPECT_LE(leaks, 2e-4 * pairs) << "n " << n << ", of " << pairs << "; first: " << first;
     }
 }
 

@@ -103,10 +103,11 @@ TEST(DirectLight, SphereWithAPointLightAtItsCentre) {
     options.map = 32;
     options.tolerance = 1e-4;
     const RenderResult result = render_layers(scene, options, {"direct"});
-    const double direct = albedo / ref::pi * 3.0 / 4.0;      // E = I / r^2
-    expect_uniform(layer(result, "direct"), direct, 0.015);  // flat faces: r shrinks by up to 1 - cos^2(7.5 deg / 2) and its like
-    // Inside a sphere every point receives the same from every point: the series is geometric.
-    expect_uniform(layer(result, ""), direct / (1.0 - albedo), 0.02);
+    const double direct = albedo / ref::pi * 3.0 / 4.0;     // E = I / r^2
+    expect_uniform(layer(result, "direct"), direct, 0.01);  // flat faces of 7.5 degrees: cos falls to 0.9957, 1 / r^2 rises by 0.9 %
+    // Inside a sphere every point receives the same from every point: the series is geometric. Pencils outside the sphere see its inside
+    // past silhouettes now and then, and carry no light.
+    expect_uniform(layer(result, ""), direct / (1.0 - albedo), 0.06);
 }
 
 TEST(DirectLight, PolygonByLambertsFormula) {

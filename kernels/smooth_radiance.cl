@@ -1,0 +1,23 @@
+// Completes radiance maps: smooths over a texel and fills the gutters by folding, so that bilinear look-ups are seamless.
+
+/// launch : 1-D, one work-item per texel of `tile_count` tiles, gutters included
+/// in     : sharp, atlas layout, interior texels of tiles 0 .. tile_count
+/// out    : radiance, atlas layout, tiles first_tile ..: rgb is the binomial mean (1 2 1)^2 / 16 of the sharp texels around; w is kept
+/// DEVIATION: the thesis looks up what was rendered. A texel is one sample of its surface, so edges in the map are staircases; the mean
+/// turns them into ramps of the width that bilinear look-ups resolve anyway.
+kernel void smooth_radiance(global const float4 *sharp, int first_tile, int tile_count, int n, global float4 *radiance)
+{
+    int item = get_global_id(0);
+    int texels = PENCIL_TILE_TEXELS(n);
+    if (item >= tile_count * texels) return;
+    int stride = PENCIL_TILE_STRIDE(n);
+    int tile = item / texels;
+    int2 centre = oct_fold_texel((int2)(item % texels % stride, item % texels / stride) - PENCIL_GUTTER, n);
+    float3 sum = (float3)(0.0f);
+    for (int dy = -1; dy <= 1; ++dy)
+        for (int dx = -1; dx <= 1; ++dx) {
+            int2 texel = oct_fold_texel(centre + (int2)(dx, dy), n);
+            sum += (float)((2 - abs(dx)) * (2 - abs(dy))) * sharp[oct_atlas_index(tile, texel, n)].xyz;
+        }
+    radiance[(size_t)first_tile * texels + item] = (float4)(sum / 16.0f, sharp[oct_atlas_index(tile, centre, n)].w);
+}

@@ -1,0 +1,111 @@
+// Grouping of visibility samples into surfels, and the surfels themselves: every sample that shows something has a surfel of its own shape,
+// surfels lie on a sample's hit, and flat scenes have one surfel per plane and pixel.
+#include "kernels/film_test.h"
+#include "pencils/film_filter.h"
+#include "reference/tolerances.h"
+#include "shared/film.h"
+
+namespace {
+
+using namespace pencil;
+using namespace pencil::test;
+
+struct Classified {
+    std::vector<Hit> hits;
+    std::vector<unsigned char> slots, counts;
+    std::vector<int> first;
+    std::vector<glm::vec2> offsets;
+    HostSurfels surfels;
+};
+
+Classified classify(TestScene scene, const TestCamera& view, int samples) {
+    Kernels kernels = make_kernels(false, false, samples);
+    scene.flat.to_film = view.to_film;
+    const DeviceScene s(device(), scene.flat);
+    const std::vector<glm::vec2> offsets = film_sample_offsets(samples, 6);
+    const Buffer<glm::vec2> positions(device(), offsets, "offsets");
+    const int rows = view.camera.height;
+    const auto pixels = static_cast<std::size_t>(rows * view.camera.width);
+    Buffer<Hit> hits(device(), offsets.size() * pixels, "hits");
+    kernels.get("rasterize_film", {"packet", "octahedral", "triangle", "raster"})
+        .args(s.triangles, s.triangle_count, s.planes, view.camera, s.to_film, positions, samples, 0, rows, rows, hits)
+        .run(offsets.size(), "rasterize film", 1);
+    Buffer<unsigned char> slots(device(), offsets.size() * pixels, "slots"), counts(device(), pixels, "counts");
+    kernels.get("classify_film", {})
+        .args(hits, view.camera, positions, samples, 0, rows, s.triangles, s.planes, slots, counts)
+        .run(pixels, "classify");
+    std::vector<int> first;
+    int next = 0;
+    for (const unsigned char count : counts.read()) {
+        first.push_back(next);
+        next += count & FILM_COUNT_MASK;
+    }
+    const Buffer<int> first_surfel(device(), first, "first surfels");
+    Surfels surfels(device(), next, "surfels");
+    kernels.get("film_surfels", {"octahedral", "triangle", "surfel"})
+        .args(hits, view.camera, positions, samples, 0, rows, slots, counts, first_surfel, s.triangles, s.planes, s.materials, s.normals,
+              surfels.data, surfels.capacity)
+        .run(pixels, "film surfels");
+    return {hits.read(), slots.read(), counts.read(), first, offsets, HostSurfels(surfels)};
+}
+
+void check(const TestScene& scene, const TestCamera& view, int samples) {
+    const Classified c = classify(scene, view, samples);
+    const std::size_t pixels = c.counts.size();
+    for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
+        SCOPED_TRACE("pixel " + std::to_string(pixel));
+        const int count = c.counts[pixel] & FILM_COUNT_MASK;
+        bool empty = false;
+        std::vector<int> members(static_cast<std::size_t>(count), 0), at_sample(members);
+        for (int s = 0; s < samples; ++s) {
+            const Hit hit = c.hits[static_cast<std::size_t>(s) * pixels + pixel];
+            const int slot = c.slots[pixel * static_cast<std::size_t>(samples) + static_cast<std::size_t>(s)];
+            if (hit.triangle < 0) {
+                empty = true;
+                ASSERT_EQ(slot, NO_SURFEL) << "sample " << s << " shows nothing";
+                continue;
+            }
+            ASSERT_LT(slot, count) << "sample " << s;
+            ++members[static_cast<std::size_t>(slot)];
+            const int surfel = c.first[pixel] + slot, width = view.camera.width;
+            const auto triangle = static_cast<std::size_t>(hit.triangle);
+            // Materials stand for shapes; the soup's facets have a plane each, so only samples of one plane may join.
+            ASSERT_EQ(c.surfels.plane(surfel), scene.triangles[triangle].plane) << "sample " << s << " joined another plane";
+            const glm::vec2 o = c.offsets[static_cast<std::size_t>(s)];
+            const dvec3 direction = view.direction(static_cast<int>(pixel) % width + static_cast<double>(o.x),
+                                                   static_cast<int>(pixel) / width + static_cast<double>(o.y));
+            const ref::Crossing crossing = ref::cross_triangle(view.origin, direction, scene.triangles[triangle]);
+            const dvec3 p = view.origin + crossing.t * direction;
+            if (glm::distance(p, c.surfels.position(surfel)) <= 2.0 * tolerance::depth_tie * crossing.slant * crossing.t)
+                ++at_sample[static_cast<std::size_t>(slot)];
+        }
+        ASSERT_EQ((c.counts[pixel] & FILM_HAS_EMPTY) != 0, empty);
+        for (int slot = 0; slot < count; ++slot) {
+            ASSERT_GT(members[static_cast<std::size_t>(slot)], 0) << "surfel " << slot << " of " << count << " has no sample";
+            ASSERT_GT(at_sample[static_cast<std::size_t>(slot)], 0) << "surfel " << slot << " lies on none of its samples";
+            for (int other = 0; other < slot; ++other) {
+                ASSERT_NE(c.surfels.plane(c.first[pixel] + slot), c.surfels.plane(c.first[pixel] + other)) << "one plane, two surfels";
+            }
+        }
+    }
+}
+
+TEST(ClassifyFilm, BoxRoomAndSoup) {
+    const TestCamera inside = make_camera({0.4, 0.3, -0.6}, {-0.5, -0.3, 1}, {0, 1, 0}, 1.0, 33, 21);
+    for (const int samples : {1, 4, 16}) {
+        SCOPED_TRACE(std::to_string(samples) + " samples");
+        check(box_scene(121), inside, samples);
+        check(soup_scene(122, 30), make_camera({0.1, 0.2, -2.5}, {0, 0, 1}, {0, 1, 0}, 0.5, 37, 23), samples);
+    }
+}
+
+TEST(ClassifyFilm, InteriorPixelsHaveOneSurfel) {
+    const TestCamera inside = make_camera({0.4, 0.3, -0.6}, {-0.5, -0.3, 1}, {0, 1, 0}, 1.0, 64, 64);
+    const Classified c = classify(box_scene(123), inside, 16);
+    int one = 0;
+    for (const unsigned char count : c.counts) one += count == 1 ? 1 : 0;
+    EXPECT_GT(one, 64 * 64 * 8 / 10);
+    EXPECT_LT(one, 64 * 64) << "edges of the box cross some pixels";
+}
+
+}  // namespace
