@@ -6,26 +6,32 @@ inline float plane_disparity(float4 plane, float4 cop, float4 direction)
     return dot(plane.xyz, direction.xyz) / plane_ahead(plane, cop);
 }
 
-/// True if, within a footprint that shows both, plane b can hide surfels of plane a: it is the nearer where it is shown, and they do not
-/// meet in the footprint. They meet if each is shown where it is the nearer (a concave joint) or each where it is the farther (a convex
-/// edge); at a silhouette the nearer is shown where it is nearer, the other where it is farther.
+/// True if, within a footprint that shows both, surfels on plane a can be hidden by plane b: where b is shown it is the nearer of the two.
+/// Where b is shown although it is the farther (a convex edge, or the far side of a silhouette), nothing of a is there: it would be seen.
 inline bool plane_hides(const int *shown, const float4 *planes, const float4 *directions, int a, int b, float4 cop)
 {
-    bool b_nearer_at_b = true, b_nearer_at_a = true;
-    for (int k = 0; k < 4; ++k) {
-        if (shown[k] != shown[a] && shown[k] != shown[b]) continue;
-        bool b_nearer = plane_disparity(planes[b], cop, directions[k]) > plane_disparity(planes[a], cop, directions[k]);
-        if (shown[k] == shown[b]) b_nearer_at_b = b_nearer_at_b && b_nearer;
-        else b_nearer_at_a = b_nearer_at_a && b_nearer;
-    }
-    return b_nearer_at_b && b_nearer_at_a;
+    for (int k = 0; k < 4; ++k)
+        if (shown[k] == shown[b] && plane_disparity(planes[b], cop, directions[k]) >= plane_disparity(planes[a], cop, directions[k])) return true;
+    return false;
+}
+
+/// The cell of a footprint, see shared/atlas.h.
+inline int2 footprint_cell(const int *shown, const float4 *planes, const float4 *directions, float4 cop)
+{
+    int a = 0, b = 0;
+    for (int k = 1; k < 4; ++k)
+        if (shown[k] != shown[a]) b = k;
+    for (int k = 0; k < 4; ++k)
+        if (shown[k] != shown[a] && shown[k] != shown[b]) return (int2)(CELL_MIXED);
+    if (a == b || shown[a] < 0 || shown[b] < 0) return (int2)(shown[a], shown[b]);
+    bool safe = !plane_hides(shown, planes, directions, a, b, cop) && !plane_hides(shown, planes, directions, b, a, cop);
+    return (int2)(shown[a], safe ? shown[b] : CELL_PAIR(shown[b]));
 }
 
 /// Fills the gutter by folding and classifies footprints.   thesis 4.3.1, last paragraph (replicated border texels)
 /// launch : 1-D, one work-item per texel of `tile_count` tiles, gutters included
 /// in     : triangles, planes, cops; hits, interior texels
-/// out    : hits, gutter texels; cells, for the footprint whose first texel this is: (a, a) if plane a fills it (-1: nothing seen),
-///          otherwise up to two planes whose surfels nothing else in the footprint can hide, CELL_MIXED in the places left
+/// out    : hits, gutter texels; cells, for the footprint whose first texel this is
 kernel void fold_hits(global const Triangle *triangles, global const float4 *planes, global const float4 *cops, int first_tile,
                       int tile_count, int n, global Hit *hits, global int2 *cells)
 {
@@ -50,17 +56,16 @@ kernel void fold_hits(global const Triangle *triangles, global const float4 *pla
         plane[k] = planes[max(shown[k], 0)];
         directions[k] = oct_texel_direction(corner, n);
     }
-    if (shown[0] == shown[1] && shown[0] == shown[2] && shown[0] == shown[3]) {
-        cells[target] = (int2)(shown[0]);
-        return;
+    int2 cell = footprint_cell(shown, plane, directions, cop);
+    // A third plane next to a pair may reach in between the texels: the tip of a wall where it meets two others.
+    if (cell.x != cell.y) {
+        for (int k = 0; k < 16; ++k) {
+            int2 next = oct_fold_texel(texel + (int2)(k % 4, k / 4) - 1, n);
+            int triangle = hits[oct_atlas_index(tile, next, n)].triangle;
+            int third = triangle < 0 ? -1 : triangles[triangle].plane;
+            bool known = third == shown[0] || third == shown[1] || third == shown[2] || third == shown[3];
+            if (!known) cell = (int2)(CELL_MIXED);
+        }
     }
-    int safe[2] = {CELL_MIXED, CELL_MIXED};
-    int found = 0;
-    for (int a = 0; a < 4; ++a) {
-        bool hidden = false;
-        for (int b = 0; b < 4; ++b)
-            hidden = hidden || (shown[a] >= 0 && shown[b] >= 0 && shown[a] != shown[b] && plane_hides(shown, plane, directions, a, b, cop));
-        if (!hidden && found < 2 && shown[a] != safe[0]) safe[found++] = shown[a];
-    }
-    cells[target] = (int2)(safe[0], safe[1]);
+    cells[target] = cell;
 }

@@ -60,12 +60,12 @@ inline float3 projected_irradiance(const ProjectionSums *sums, int l)
 /// PENCIL_WEIGHTS_THESIS 1: the printed form, E = 2 pi / n_v^2 * sum(D) * sum(L cos/D), n_v pencils visible.
 kernel void project_pencils(global const float *surfels, int capacity, int surfel_count, global const float4 *cops, int pencil_count,
                             global const float4 *radiance, global const int2 *cells, global const Hit *hits,
-                            global const Triangle *triangles, global const float4 *planes, int n, global float *outgoing, int accumulate,
+                            global const Triangle *triangles, int triangle_count, global const float4 *planes, int n, global float *outgoing, int accumulate,
                             global int *visible)
 {
     int first = get_global_id(0) * PENCIL_BLOCK * PENCIL_WIDTH;
     if (first >= surfel_count) return;
-    VisibilityMap map = {cells, hits, triangles, planes, n};
+    VisibilityMap map = {cells, hits, triangles, triangle_count, planes, n};
     SurfelPacket packets[PENCIL_BLOCK];
     ProjectionSums sums[PENCIL_BLOCK];
     for (int p = 0; p < PENCIL_BLOCK; ++p) {

@@ -4,12 +4,12 @@
 /// in     : surfels; cops[pencil_count]; cells, hits: tiles of n x n of those pencils, folded
 /// out    : mask[word][capacity]: bit i % 32 of word i / 32 is set if pencil i sees the surfel from the side that is shaded
 kernel void test_visibility(global const float *surfels, int capacity, int surfel_count, global const float4 *cops, int pencil_count,
-                            global const int2 *cells, global const Hit *hits, global const Triangle *triangles,
+                            global const int2 *cells, global const Hit *hits, global const Triangle *triangles, int triangle_count,
                             global const float4 *planes, int n, global uint *mask)
 {
     int first = get_global_id(0) * PENCIL_BLOCK * PENCIL_WIDTH;
     if (first >= surfel_count) return;
-    VisibilityMap map = {cells, hits, triangles, planes, n};
+    VisibilityMap map = {cells, hits, triangles, triangle_count, planes, n};
     SurfelPacket packets[PENCIL_BLOCK];
     vint bits[PENCIL_BLOCK];
     for (int p = 0; p < PENCIL_BLOCK; ++p) packets[p] = load_surfels(surfels, capacity, first + p * PENCIL_WIDTH);

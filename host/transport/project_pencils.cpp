@@ -6,7 +6,7 @@ void project_pencils(Kernels& kernels, const DeviceScene& scene, const Surfels& 
                      Buffer<int>& visible, const std::string& what) {
     kernels.get("project_pencils", kPacketVisibility)
         .args(surfels.data, surfels.capacity, surfels.count, set.maps->cops, set.maps->count, set.radiance, set.maps->cells,
-              set.maps->hits, scene.triangles, scene.planes, set.maps->n, outgoing, 1, visible)
+              set.maps->hits, scene.triangles, scene.triangle_count, scene.planes, set.maps->n, outgoing, 1, visible)
         .run(kernels.blocks(surfels.count), what);
 }
 

@@ -1,45 +1,50 @@
 // Visibility of packets of surfels from one centre, by the rules of visibility.cl with as few branches as possible: most lanes are
 // settled by their cell. Needs packet.cl, surfel_packet.cl, footprint.cl, visibility.cl.
 
-/// Lanes whose cell is filled by plane `other` and that lie behind it as seen from `cop`; none if `other` is not a plane.
-inline vint packet_behind(const SurfelPacket *s, global const float4 *planes, int other, float4 cop, vint fill)
+/// Lanes that lie behind plane `other` as seen from `cop`, of those for which `blocker` is that plane; none if `other` is not a plane.
+inline vint packet_behind(const SurfelPacket *s, global const float4 *planes, int other, float4 cop, vint blocker)
 {
     float4 plane = planes[max(other, 0)];
     vfloat ahead = plane.w - fma(s->x, (vfloat)(plane.x), fma(s->y, (vfloat)(plane.y), s->z * plane.z));
     float side = plane_ahead(plane, cop) > 0.0f ? 1.0f : -1.0f;
-    return PACKET_MASK(fill == max(other, 0)) & PACKET_MASK(ahead * side <= -PLANE_TOLERANCE);
+    return PACKET_MASK(blocker == other) & PACKET_MASK(ahead * side <= -PLANE_TOLERANCE);
 }
 
 /// Lanes of `faces` that are seen from `cop`; `index` and (f.fx, f.fy) are their footprints in the atlas.
 inline vint packet_visible(const SurfelPacket *s, const VisibilityMap *map, Footprint f, vint index, float4 cop, vint faces)
 {
-    // The cell shows the surfel's plane: seen. The same plane in both places: it fills the cell.
     int cells[2 * PENCIL_WIDTH];
 #pragma unroll
     for (int l = 0; l < PENCIL_WIDTH; ++l) vstore2(map->cells[LANE_INT(index, l)], l, cells);
     vint first, second;
     PACKET_LOAD_PAIRS(cells, first, second);
-    vint shown = PACKET_MASK(first == s->plane) | PACKET_MASK(second == s->plane);
-    vint seen = faces & shown;
-    vint open = faces & ~shown;
+    vint at_first = PACKET_MASK(first == s->plane);
+    vint seen = faces & (at_first | PACKET_MASK(second == s->plane)) & PACKET_MASK(second >= -1);
+    vint open = faces & ~seen;
     if (!PACKET_ANY(open)) return seen;
 
-    // One plane fills the cell: surfels behind it are hidden. Neighbouring lanes mostly look at the plane of the first or the last lane.
-    vint fill = select((vint)(CELL_MIXED), first, PACKET_MASK(first == second));
-    open &= ~packet_behind(s, map->planes, LANE_INT(fill, 0), cop, fill);
-    if (!PACKET_ANY(open)) return seen;
-    open &= ~packet_behind(s, map->planes, LANE_INT(fill, PENCIL_WIDTH - 1), cop, fill);
+    // The one plane that can hide the surfel: that which fills the cell, or the other of a pair. Neighbouring lanes mostly have the blocker
+    // of the first or the last lane.
+    vint pair = CELL_PAIR(second);
+    vint at_pair = PACKET_MASK(pair == s->plane);
+    vint filled = PACKET_MASK(first == second) & PACKET_MASK(first >= 0);
+    vint blocker = select((vint)(CELL_MIXED), first, filled | at_pair);
+    blocker = select(blocker, pair, at_first & PACKET_MASK(second <= CELL_PAIR(0)));
+    vint behind = packet_behind(s, map->planes, LANE_INT(blocker, 0), cop, blocker);
+    vint settled = PACKET_MASK(blocker == LANE_INT(blocker, 0));
+    if (PACKET_ANY(open & ~settled)) {
+        behind |= packet_behind(s, map->planes, LANE_INT(blocker, PENCIL_WIDTH - 1), cop, blocker);
+        settled |= PACKET_MASK(blocker == LANE_INT(blocker, PENCIL_WIDTH - 1));
+    }
+    settled &= PACKET_MASK(blocker >= 0);
+    seen |= open & settled & ~behind;
+    open &= ~settled | (behind & ~filled);  // behind the other of a pair: look at the triangles
     if (!PACKET_ANY(open)) return seen;
     for (int l = 0; l < PENCIL_WIDTH; ++l) {
         if (!LANE_INT(open, l)) continue;
-        if (LANE_INT(fill, l) != CELL_MIXED) {
-            vint behind = packet_behind(s, map->planes, LANE_INT(fill, l), cop, fill);
-            if (LANE_INT(behind, l)) continue;
-        } else if (!mixed_footprint_visible(map, LANE_INT(index, l), LANE_FLOAT(f.fx, l), LANE_FLOAT(f.fy, l), cop, surfel_position(s, l),
-                                            LANE_INT(s->plane, l))) {
-            continue;
-        }
-        ((int *)&seen)[l] = -1;
+        if (mixed_footprint_visible(map, LANE_INT(index, l), LANE_FLOAT(f.fx, l), LANE_FLOAT(f.fy, l), cop, surfel_position(s, l),
+                                    LANE_INT(s->plane, l)))
+            ((int *)&seen)[l] = -1;
     }
     return seen;
 }

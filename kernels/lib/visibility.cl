@@ -7,47 +7,62 @@ typedef struct VisibilityMap {
     global const int2 *cells;
     global const Hit *hits;
     global const Triangle *triangles;
+    int triangle_count;
     global const float4 *planes;
     int n;
 } VisibilityMap;
 
-/// Whether what texel `at` shows hides x: 0 no, 1 its plane speaks for it, 2 its triangle crosses the segment from cop to x.
-inline int texel_hides(const VisibilityMap *map, int at, float4 cop, float4 x, float cop_ahead, float4 own_plane)
+/// Coplanar neighbours on each side that are tried with a triangle: a wall of two triangles may show one and be crossed in the other.
+#define COPLANAR_NEIGHBOURS 2
+
+/// True if the line from cop to x passes through triangle `index` or through a neighbour of it in the list that lies in the same plane.
+inline bool line_meets_plane_part(const VisibilityMap *map, int index, float4 cop, float4 x, float side)
 {
-    Hit hit = map->hits[at];
-    if (line_meets_triangle(map->triangles + hit.triangle, cop, x - cop, cop_ahead > 0.0f ? 1.0f : -1.0f)) return 2;
-    int stride = PENCIL_TILE_STRIDE(map->n);
-    int local_index = at % PENCIL_TILE_TEXELS(map->n);
-    int2 texel = (int2)(local_index % stride, local_index / stride) - PENCIL_GUTTER;
-    float4 seen = cop + oct_texel_direction(oct_fold_texel(texel, map->n), map->n) / hit.disparity;
+    int plane = map->triangles[index].plane;
+    int first = max(index - COPLANAR_NEIGHBOURS, 0);
+    int last = min(index + COPLANAR_NEIGHBOURS, map->triangle_count - 1);
+    for (int t = first; t <= last; ++t)
+        if (map->triangles[t].plane == plane && line_meets_triangle(map->triangles + t, cop, x - cop, side)) return true;
+    return false;
+}
+
+/// True if what a texel shows, on plane `other`, is in front of the surfel's own plane as seen from cop.
+inline bool shows_front_of(Hit hit, float4 direction, float4 cop, float4 own_plane)
+{
     float own_side = plane_ahead(own_plane, cop) > 0.0f ? 1.0f : -1.0f;
-    return plane_ahead(own_plane, seen) * own_side > PLANE_TOLERANCE ? 1 : 0;
+    return plane_ahead(own_plane, cop + direction / hit.disparity) * own_side > PLANE_TOLERANCE;
 }
 
 /// The mixed footprint: `index` is the atlas index of its first texel, (fx, fy) its bilinear weights. Rules, in this order:
-///   1. a triangle shown by the footprint that the segment crosses in front of x hides x;
+///   1. a triangle shown by the footprint or by a texel next to it, or a neighbour of that triangle in the same plane, that the segment
+///      crosses in front of x hides x;
 ///   2. a texel that shows the plane of x itself shows x;
 ///   3. otherwise a texel hides x if x is behind the plane it shows and what it shows is in front of the plane of x (which a neighbouring
 ///      facet of a smooth surface never is); x is hidden if texels of more than half the bilinear weight hide it.
 inline bool mixed_footprint_visible(const VisibilityMap *map, int index, float fx, float fy, float4 cop, float4 x, int own)
 {
+    int n = map->n, stride = PENCIL_TILE_STRIDE(n), tile = index / PENCIL_TILE_TEXELS(n);
+    int2 corner = (int2)(index % PENCIL_TILE_TEXELS(n) % stride, index % PENCIL_TILE_TEXELS(n) / stride) - PENCIL_GUTTER;
     bool shown = false;
     float hidden = 0.0f;
-    int stride = PENCIL_TILE_STRIDE(map->n);
-    for (int k = 0; k < 4; ++k) {
-        int at = index + (k & 1) + (k >> 1) * stride;
-        int triangle = map->hits[at].triangle;
-        if (triangle < 0) continue;
-        int other = map->triangles[triangle].plane;
-        shown |= other == own;
+    int last = -1;
+    for (int k = 0; k < 16; ++k) {
+        int2 offset = (int2)(k % 4, k / 4) - 1;
+        bool inner = offset.x >= 0 && offset.x <= 1 && offset.y >= 0 && offset.y <= 1;
+        int2 texel = oct_fold_texel(corner + offset, n);
+        Hit hit = map->hits[oct_atlas_index(tile, texel, n)];
+        if (hit.triangle < 0 || (hit.triangle == last && !inner)) continue;
+        int other = map->triangles[hit.triangle].plane;
+        shown |= inner && other == own;
         if (other == own) continue;
         float4 plane = map->planes[other];
         float cop_ahead = plane_ahead(plane, cop);
         float x_ahead = plane_ahead(plane, x);
         if (cop_ahead * x_ahead >= 0.0f || fabs(x_ahead) < PLANE_TOLERANCE) continue;
-        int hides = texel_hides(map, at, cop, x, cop_ahead, map->planes[own]);
-        if (hides == 2) return false;
-        if (hides == 1) hidden += (k & 1 ? fx : 1.0f - fx) * (k >> 1 ? fy : 1.0f - fy);
+        if (hit.triangle != last && line_meets_plane_part(map, hit.triangle, cop, x, cop_ahead > 0.0f ? 1.0f : -1.0f)) return false;
+        last = hit.triangle;
+        if (inner && shows_front_of(hit, oct_texel_direction(texel, n), cop, map->planes[own]))
+            hidden += (offset.x ? fx : 1.0f - fx) * (offset.y ? fy : 1.0f - fy);
     }
     return shown || hidden <= 0.5f;
 }

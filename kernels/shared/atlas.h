@@ -9,7 +9,12 @@
 #define PENCIL_TILE_TEXELS(size) (PENCIL_TILE_STRIDE(size) * PENCIL_TILE_STRIDE(size))
 
 
-// In the cell of a footprint: no plane whose surfels are seen for sure (fold_hits.cl).
+// Cells: what a 2x2 footprint tells of the visibility of surfels seen through it.
+//   (a, a)              plane a fills it; -1: it shows nothing
+//   (a, b)              it shows a and b, and surfels on either are seen: they meet at a convex edge, or b is -1
+//   (a, CELL_PAIR(b))   it shows a and b; a surfel on one of them is seen if it is not behind the other
+//   (CELL_MIXED, same)  three planes or more, in it or next to it
 #define CELL_MIXED (-2)
+#define CELL_PAIR(plane) (-3 - (plane))  // its own inverse
 
 #endif

@@ -116,6 +116,12 @@ inline std::size_t atlas_index(int tile, int x, int y, int n) {
     return static_cast<std::size_t>(tile) * static_cast<std::size_t>(stride * stride) + static_cast<std::size_t>((y + 1) * stride + x + 1);
 }
 
+/// Texel of surfel i of a tile: blocks of 8 x 8 texels row by row, in a block patches 4 wide and 2 high row by row, in a patch row by row.
+inline ref::Texel surfel_texel(int i, int n) {
+    const int block = i / 64, patch = i / 8 % 8, in_patch = i % 8, blocks_across = n / 8;
+    return {block % blocks_across * 8 + patch % 2 * 4 + in_patch % 4, block / blocks_across * 8 + patch / 2 * 2 + in_patch / 4};
+}
+
 inline std::vector<float4> random_centres(Random& random, int count, double half = 0.7) {
     std::vector<float4> out;
     for (int i = 0; i < count; ++i) out.push_back(to_float4(random.in_box(-half, half)));

@@ -91,16 +91,16 @@ void check(TestScene scene, const Case& c, std::uint32_t seed) {
 }
 
 TEST(ProjectPencils, ConsistentWeights) {
-    check(box_scene(101), {1, 4, 1, false, false}, 1);
+    check(box_scene(101), {1, 8, 1, false, false}, 1);
     check(box_scene(101), {33, 16, 37, false, false}, 2);
     check(box_scene(101), {128, 8, 768, false, false}, 3);
     check(room_scene(102, 20), {70, 32, 768, false, false}, 4);
-    check(soup_scene(103, 30), {20, 6, 500, false, false}, 5);
+    check(soup_scene(103, 30), {20, 24, 500, false, false}, 5);
     check(room_scene(104, 15), {40, 16, 768, false, true}, 6);
 }
 
 TEST(ProjectPencils, PrintedWeights) {
-    check(box_scene(105), {1, 4, 5, true, false}, 7);
+    check(box_scene(105), {1, 8, 5, true, false}, 7);
     check(box_scene(105), {130, 16, 300, true, false}, 8);
     check(room_scene(106, 20), {70, 32, 768, true, false}, 9);
 }
