@@ -15,25 +15,48 @@ inline bool plane_hides(const int *shown, const float4 *planes, const float4 *di
     return false;
 }
 
-/// The cell of a footprint, see shared/atlas.h.
-inline int2 footprint_cell(const int *shown, const float4 *planes, const float4 *directions, float4 cop)
+/// The distinct planes that a footprint and the texels next to it show, padded with the first; CELL_MIXED in x if there are more than four.
+inline int4 planes_around(int tile, int2 texel, int n, global const Hit *hits, global const Triangle *triangles)
 {
-    int a = 0, b = 0;
-    for (int k = 1; k < 4; ++k)
-        if (shown[k] != shown[a]) b = k;
-    for (int k = 0; k < 4; ++k)
-        if (shown[k] != shown[a] && shown[k] != shown[b]) return (int2)(CELL_MIXED);
-    if (a == b || shown[a] < 0 || shown[b] < 0) return (int2)(shown[a], shown[b]);
-    bool safe = !plane_hides(shown, planes, directions, a, b, cop) && !plane_hides(shown, planes, directions, b, a, cop);
-    return (int2)(shown[a], safe ? shown[b] : CELL_PAIR(shown[b]));
+    int found[5];
+    int count = 0;
+    for (int k = 0; k < 16 && count < 5; ++k) {
+        int triangle = hits[oct_atlas_index(tile, oct_fold_texel(texel + (int2)(k % 4, k / 4) - 1, n), n)].triangle;
+        if (triangle < 0) continue;
+        int plane = triangles[triangle].plane;
+        bool known = false;
+        for (int i = 0; i < count; ++i) known = known || found[i] == plane;
+        if (!known) found[count++] = plane;
+    }
+    if (count == 0 || count > 4) return (int4)(CELL_MIXED);
+    return (int4)(found[0], found[count > 1 ? 1 : 0], found[count > 2 ? 2 : 0], found[count > 3 ? 3 : 0]);
+}
+
+/// True if somewhere on the border of the footprint plane t is nearer than both a and b. Disparities are linear along the border's four
+/// sides, so t - a and t - b are, and are positive on intervals.
+inline bool reaches_between(float4 t, float4 a, float4 b, const float4 *directions, float4 cop)
+{
+    const int around[5] = {0, 1, 3, 2, 0};
+    for (int side = 0; side < 4; ++side) {
+        float4 from = directions[around[side]], to = directions[around[side + 1]];
+        float2 low = plane_disparity(t, cop, from) - (float2)(plane_disparity(a, cop, from), plane_disparity(b, cop, from));
+        float2 high = plane_disparity(t, cop, to) - (float2)(plane_disparity(a, cop, to), plane_disparity(b, cop, to));
+        if (fmin(low.x, low.y) > 0.0f || fmin(high.x, high.y) > 0.0f) return true;
+        if (fmax(low.x, high.x) <= 0.0f || fmax(low.y, high.y) <= 0.0f) continue;
+        // One is positive from its zero onwards, the other up to its zero.
+        float rise = low.x <= 0.0f ? low.x / (low.x - high.x) : low.y / (low.y - high.y);
+        float fall = low.x <= 0.0f ? low.y / (low.y - high.y) : low.x / (low.x - high.x);
+        if (rise <= fall) return true;
+    }
+    return false;
 }
 
 /// Fills the gutter by folding and classifies footprints.   thesis 4.3.1, last paragraph (replicated border texels)
 /// launch : 1-D, one work-item per texel of `tile_count` tiles, gutters included
 /// in     : triangles, planes, cops; hits, interior texels
-/// out    : hits, gutter texels; cells, for the footprint whose first texel this is
+/// out    : hits, gutter texels; cells, for the footprint whose first texel this is; corners, planes_around where the cell is CELL_MIXED
 kernel void fold_hits(global const Triangle *triangles, global const float4 *planes, global const float4 *cops, int first_tile,
-                      int tile_count, int n, global Hit *hits, global int2 *cells)
+                      int tile_count, int n, global Hit *hits, global int2 *cells, global int4 *corners)
 {
     int item = get_global_id(0);
     int texels = PENCIL_TILE_TEXELS(n);
@@ -56,16 +79,29 @@ kernel void fold_hits(global const Triangle *triangles, global const float4 *pla
         plane[k] = planes[max(shown[k], 0)];
         directions[k] = oct_texel_direction(corner, n);
     }
-    int2 cell = footprint_cell(shown, plane, directions, cop);
-    // A third plane next to a pair may reach in between the texels: the tip of a wall where it meets two others.
-    if (cell.x != cell.y) {
-        for (int k = 0; k < 16; ++k) {
-            int2 next = oct_fold_texel(texel + (int2)(k % 4, k / 4) - 1, n);
-            int triangle = hits[oct_atlas_index(tile, next, n)].triangle;
-            int third = triangle < 0 ? -1 : triangles[triangle].plane;
-            bool known = third == shown[0] || third == shown[1] || third == shown[2] || third == shown[3];
-            if (!known) cell = (int2)(CELL_MIXED);
+    int a = 0, b = 0, others = 0;
+    for (int k = 1; k < 4; ++k)
+        if (shown[k] != shown[a]) b = k;
+    for (int k = 0; k < 4; ++k) others += shown[k] != shown[a] && shown[k] != shown[b] ? 1 : 0;
+    int2 cell = (int2)(shown[a], shown[b]);
+    if (others > 0) {
+        cell = (int2)(CELL_MIXED);
+    } else if (a != b && shown[a] >= 0 && shown[b] >= 0) {
+        bool hides_a = plane_hides(shown, plane, directions, a, b, cop);
+        bool hides_b = plane_hides(shown, plane, directions, b, a, cop);
+        if (hides_a || hides_b) cell.y = CELL_PAIR(shown[b]);
+        // Where two walls meet, a third next to them may reach in between the texels: the tip of a sheet that stands in their corner.
+        if (hides_a && hides_b) {
+            int4 around = planes_around(tile, texel, n, hits, triangles);
+            int near[4];
+            vstore4(around, 0, near);
+            for (int k = 0; k < 4; ++k) {
+                bool third = near[k] != shown[a] && near[k] != shown[b];
+                if (third && (near[k] < 0 || reaches_between(planes[near[k]], plane[a], plane[b], directions, cop)))
+                    cell = (int2)(CELL_MIXED);
+            }
         }
     }
     cells[target] = cell;
+    if (cell.x == CELL_MIXED) corners[target] = planes_around(tile, texel, n, hits, triangles);
 }

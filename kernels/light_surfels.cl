@@ -23,17 +23,17 @@ inline void add_light_sample(const SurfelPacket *s, const VisibilityMap *map, gl
 }
 
 /// launch : 1-D, one work-item per block of PENCIL_BLOCK packets of PENCIL_WIDTH surfels
-/// in     : surfels; samples[sample_count]; cops[sample_count]; cells, hits: tiles of n x n of the samples
+/// in     : surfels; samples[sample_count]; cops[sample_count]; cells, corners, hits: tiles of n x n of the samples
 /// out    : outgoing[3][capacity] [W m^-2 sr^-1], added to if `accumulate`
 /// DEVIATION: cos cos / r^2 becomes cos cos / (r^2 + A/pi), A the area the sample stands for: the form factor of a disc of that area,
 /// exact on its axis. It is bounded where r -> 0 and tends to the printed form as A does to 0. Point lights have A = 0 and cos_l = 1.
 kernel void light_surfels(global const float *surfels, int capacity, int surfel_count, global const LightSample *samples, int sample_count,
-                          global const float4 *cops, global const int2 *cells, global const Hit *hits, global const Triangle *triangles, int triangle_count,
+                          global const float4 *cops, global const int2 *cells, global const int4 *corners, global const Hit *hits, global const Triangle *triangles,
                           global const float4 *planes, int n, global float *outgoing, int accumulate)
 {
     int first = get_global_id(0) * PENCIL_BLOCK * PENCIL_WIDTH;
     if (first >= surfel_count) return;
-    VisibilityMap map = {cells, hits, triangles, triangle_count, planes, n};
+    VisibilityMap map = {cells, corners, hits, triangles, planes, n};
     SurfelPacket packets[PENCIL_BLOCK];
     vfloat rgb[PENCIL_BLOCK][3];
     for (int p = 0; p < PENCIL_BLOCK; ++p) {

@@ -6,7 +6,7 @@
     SIZE(float4)                                                                                                                    \
     SIZE(Triangle)                                                                                                                  \
     FIELD(Triangle, v0) FIELD(Triangle, v1) FIELD(Triangle, v2)                                                                     \
-    FIELD(Triangle, plane) FIELD(Triangle, material) FIELD(Triangle, shape) FIELD(Triangle, pad0)                                   \
+    FIELD(Triangle, plane) FIELD(Triangle, material) FIELD(Triangle, shape) FIELD(Triangle, mates)                                   \
     SIZE(Material)                                                                                                                  \
     FIELD(Material, albedo) FIELD(Material, emission)                                                                               \
     SIZE(Hit)                                                                                                                       \

@@ -71,6 +71,21 @@ void flatten_triangles(const Scene& scene, FlatScene& flat) {
     }
 }
 
+/// Counts the mates of each triangle: neighbours in the list that share its plane.
+void count_mates(std::vector<Triangle>& triangles) {
+    constexpr std::ptrdiff_t kMostMates = 2;  // on each side: walls of two triangles, polygons of up to three have all of theirs
+    const auto size = static_cast<std::ptrdiff_t>(triangles.size());
+    auto same = [&](std::ptrdiff_t i, std::ptrdiff_t k) {
+        return k >= 0 && k < size && triangles[static_cast<std::size_t>(k)].plane == triangles[static_cast<std::size_t>(i)].plane;
+    };
+    for (std::ptrdiff_t i = 0; i < size; ++i) {
+        int before = 0, after = 0;
+        while (before < kMostMates && same(i, i - before - 1)) ++before;
+        while (after < kMostMates && same(i, i + after + 1)) ++after;
+        triangles[static_cast<std::size_t>(i)].mates = before | after << 8;
+    }
+}
+
 void flatten_materials(const Scene& scene, const std::vector<LightForm>& forms, FlatScene& flat) {
     for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
         const Shape& shape = scene.shapes[i];
@@ -112,6 +127,7 @@ FlatScene flatten(const Scene& scene, const std::vector<LightForm>& forms, int w
     FlatScene flat;
     flat.normalisation = normalise(scene);
     flatten_triangles(scene, flat);
+    count_mates(flat.triangles);
     flatten_materials(scene, forms, flat);
     flatten_camera(scene.sensor, width > 0 ? width : scene.sensor.width, height > 0 ? height : scene.sensor.height, flat);
     glm::dvec3 low(HUGE_VAL), high(-HUGE_VAL);

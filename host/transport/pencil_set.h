@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
 #include <vector>
 
 #include "cl/buffer.h"
@@ -24,6 +25,7 @@ struct GeometryMaps {
     int n = 0;      // texels along a side
     Buffer<float4> cops;
     Buffer<Hit> hits;
+    Buffer<glm::ivec4> corners;  // planes about footprints whose cell is mixed
     Buffer<glm::ivec2> cells;  // planes that each footprint shows for sure, see fold_hits.cl
 };
 

@@ -42,9 +42,18 @@ inline vint packet_visible(const SurfelPacket *s, const VisibilityMap *map, Foot
     if (!PACKET_ANY(open)) return seen;
     for (int l = 0; l < PENCIL_WIDTH; ++l) {
         if (!LANE_INT(open, l)) continue;
-        if (mixed_footprint_visible(map, LANE_INT(index, l), LANE_FLOAT(f.fx, l), LANE_FLOAT(f.fy, l), cop, surfel_position(s, l),
-                                    LANE_INT(s->plane, l)))
-            ((int *)&seen)[l] = -1;
+        int other = LANE_INT(blocker, l);
+        if (other >= 0 && !LANE_INT(settled, l)) {
+            vint hidden = packet_behind(s, map->planes, other, cop, blocker);
+            if (!LANE_INT(hidden, l)) ((int *)&seen)[l] = -1;
+            if (!LANE_INT(hidden, l) || LANE_INT(filled, l)) continue;
+        }
+        int at = LANE_INT(index, l), own = LANE_INT(s->plane, l);
+        float fx = LANE_FLOAT(f.fx, l), fy = LANE_FLOAT(f.fy, l);
+        float4 x = surfel_position(s, l);
+        bool visible = LANE_INT(first, l) == CELL_MIXED ? mixed_cell_visible(map, at, fx, fy, cop, x, own)
+                                                        : mixed_footprint_visible(map, at, fx, fy, cop, x, own);
+        if (visible) ((int *)&seen)[l] = -1;
     }
     return seen;
 }

@@ -13,7 +13,7 @@
 //   (a, a)              plane a fills it; -1: it shows nothing
 //   (a, b)              it shows a and b, and surfels on either are seen: they meet at a convex edge, or b is -1
 //   (a, CELL_PAIR(b))   it shows a and b; a surfel on one of them is seen if it is not behind the other
-//   (CELL_MIXED, same)  three planes or more, in it or next to it
+//   (CELL_MIXED, same)  three planes or more; or two walls that meet, with a third next to them that reaches in between the texels
 #define CELL_MIXED (-2)
 #define CELL_PAIR(plane) (-3 - (plane))  // its own inverse
 

@@ -13,7 +13,7 @@ typedef struct Triangle {
     int plane;     // index into planes; coplanar neighbours of one shape share it
     int material;  // index into materials
     int shape;     // index of the shape in the scene, for layers and messages
-    int pad0;
+    int mates;     // triangles of the same plane just before it in the list (bits 0-7) and just after it (bits 8-15), few of each
     //------------------------------------------------- 64 B
 } Triangle;
 

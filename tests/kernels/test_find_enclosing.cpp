@@ -10,7 +10,8 @@ namespace {
 using namespace pencil;
 using namespace pencil::test;
 
-/// A room with a solid box (shape 1, fronts outwards) in [-0.3, 0.3] x [-0.75, 0.1] x [-0.2, 0.4], without a bottom, and a wall (shape 2).
+/// A room with a solid box (shape 1, fronts outwards) in [-0.3, 0.3] x [-0.75, 0.1] x [-0.2, 0.4], without a bottom, and two walls (shapes
+/// 2 and 3) back to back with a gap between them, where both backs together fill nearly everything but neither has more than half.
 TestScene room_with_solid() {
     std::vector<ref::Triangle> triangles = box_triangles();
     for (ref::Triangle t : box_triangles(1.0)) {
@@ -21,8 +22,9 @@ TestScene room_with_solid() {
         triangles.push_back(t);
     }
     triangles.push_back({{0.5, -0.75, -0.75}, {0.5, 0.75, -0.75}, {0.5, 0, 0.75}, 11});
-    TestScene scene = make_scene(triangles, 3, 151);
-    for (std::size_t i = 0; i < scene.flat.triangles.size(); ++i) scene.flat.triangles[i].shape = i < 12 ? 0 : i < 22 ? 1 : 2;
+    triangles.push_back({{0.35, -0.75, -0.75}, {0.35, 0, 0.75}, {0.35, 0.75, -0.75}, 12});
+    TestScene scene = make_scene(triangles, 4, 151);
+    for (std::size_t i = 0; i < scene.flat.triangles.size(); ++i) scene.flat.triangles[i].shape = i < 12 ? 0 : i < 22 ? 1 : i == 22 ? 2 : 3;
     return scene;
 }
 
@@ -32,7 +34,8 @@ TEST(FindEnclosing, AgainstSolidAnglesAndKnownPlaces) {
     std::vector<float4> centres = random_centres(random, 60);
     centres.push_back(to_float4({0, -0.3, 0.1}));   // in the solid
     centres.push_back(to_float4({0.6, 0.2, 0.0}));  // behind the wall or in front of it, never inside
-    centres.push_back(to_float4({0.45, 0.2, 0.0}));
+    for (int i = 0; i < 40; ++i)
+        centres.push_back(to_float4({random.uniform(0.36, 0.49), random.uniform(-0.5, 0.2), random.uniform(-0.6, 0.0)}));
     for (const int n : {8, 16, 64}) {
         Kernels kernels = make_kernels();
         const DeviceScene on_device(device(), scene.flat);
