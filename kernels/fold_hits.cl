@@ -15,21 +15,29 @@ inline bool plane_hides(const int *shown, const float4 *planes, const float4 *di
     return false;
 }
 
-/// The distinct planes that a footprint and the texels next to it show, padded with the first; CELL_MIXED in x if there are more than four.
-inline int4 planes_around(int tile, int2 texel, int n, global const Hit *hits, global const Triangle *triangles)
+/// One triangle of each group of mates that a footprint and the texels next to it show, with GROUP_INNER where the footprint itself shows
+/// it; -1 in the places left; CELL_MIXED in x if there are more than four groups.
+inline int4 groups_around(int tile, int2 texel, int n, global const Hit *hits, global const Triangle *triangles)
 {
-    int found[5];
+    int group[4] = {-1, -1, -1, -1}, low[4] = {-1, -1, -1, -1}, high[4] = {-1, -1, -1, -1};
     int count = 0;
-    for (int k = 0; k < 16 && count < 5; ++k) {
+    for (int k = 0; k < 16; ++k) {
         int triangle = hits[oct_atlas_index(tile, oct_fold_texel(texel + (int2)(k % 4, k / 4) - 1, n), n)].triangle;
         if (triangle < 0) continue;
-        int plane = triangles[triangle].plane;
+        int inner = k == 5 || k == 6 || k == 9 || k == 10 ? GROUP_INNER : 0;
         bool known = false;
-        for (int i = 0; i < count; ++i) known = known || found[i] == plane;
-        if (!known) found[count++] = plane;
+        for (int g = 0; g < count; ++g)
+            if (triangle >= low[g] && triangle <= high[g]) {
+                group[g] |= inner;
+                known = true;
+            }
+        if (known) continue;
+        if (count == 4) return (int4)(CELL_MIXED);
+        low[count] = triangle - (triangles[triangle].mates & 0xff);
+        high[count] = triangle + (triangles[triangle].mates >> 8);
+        group[count++] = triangle | inner;
     }
-    if (count == 0 || count > 4) return (int4)(CELL_MIXED);
-    return (int4)(found[0], found[count > 1 ? 1 : 0], found[count > 2 ? 2 : 0], found[count > 3 ? 3 : 0]);
+    return vload4(0, group);
 }
 
 /// True if somewhere on the border of the footprint plane t is nearer than both a and b. Disparities are linear along the border's four
@@ -54,9 +62,9 @@ inline bool reaches_between(float4 t, float4 a, float4 b, const float4 *directio
 /// Fills the gutter by folding and classifies footprints.   thesis 4.3.1, last paragraph (replicated border texels)
 /// launch : 1-D, one work-item per texel of `tile_count` tiles, gutters included
 /// in     : triangles, planes, cops; hits, interior texels
-/// out    : hits, gutter texels; cells, for the footprint whose first texel this is; corners, planes_around where the cell is CELL_MIXED
+/// out    : hits, gutter texels; cells, for the footprint whose first texel this is; groups, groups_around where no plane fills the cell
 kernel void fold_hits(global const Triangle *triangles, global const float4 *planes, global const float4 *cops, int first_tile,
-                      int tile_count, int n, global Hit *hits, global int2 *cells, global int4 *corners)
+                      int tile_count, int n, global Hit *hits, global int2 *cells, global int4 *groups)
 {
     int item = get_global_id(0);
     int texels = PENCIL_TILE_TEXELS(n);
@@ -84,6 +92,14 @@ kernel void fold_hits(global const Triangle *triangles, global const float4 *pla
         if (shown[k] != shown[a]) b = k;
     for (int k = 0; k < 4; ++k) others += shown[k] != shown[a] && shown[k] != shown[b] ? 1 : 0;
     int2 cell = (int2)(shown[a], shown[b]);
+    if (a == b) {
+        cells[target] = cell;
+        groups[target] = (int4)(-1);
+        return;
+    }
+    int4 around = groups_around(tile, texel, n, hits, triangles);
+    int near[4];
+    vstore4(around, 0, near);
     if (others > 0) {
         cell = (int2)(CELL_MIXED);
     } else if (a != b && shown[a] >= 0 && shown[b] >= 0) {
@@ -91,17 +107,13 @@ kernel void fold_hits(global const Triangle *triangles, global const float4 *pla
         bool hides_b = plane_hides(shown, plane, directions, b, a, cop);
         if (hides_a || hides_b) cell.y = CELL_PAIR(shown[b]);
         // Where two walls meet, a third next to them may reach in between the texels: the tip of a sheet that stands in their corner.
-        if (hides_a && hides_b) {
-            int4 around = planes_around(tile, texel, n, hits, triangles);
-            int near[4];
-            vstore4(around, 0, near);
-            for (int k = 0; k < 4; ++k) {
-                bool third = near[k] != shown[a] && near[k] != shown[b];
-                if (third && (near[k] < 0 || reaches_between(planes[near[k]], plane[a], plane[b], directions, cop)))
-                    cell = (int2)(CELL_MIXED);
-            }
+        for (int g = 0; g < 4 && hides_a && hides_b; ++g) {
+            int third = near[g] < 0 ? -1 : triangles[near[g] & ~GROUP_INNER].plane;
+            bool other = third >= 0 && third != shown[a] && third != shown[b];
+            if (around.x == CELL_MIXED || (other && reaches_between(planes[third], plane[a], plane[b], directions, cop)))
+                cell = (int2)(CELL_MIXED);
         }
     }
     cells[target] = cell;
-    if (cell.x == CELL_MIXED) corners[target] = planes_around(tile, texel, n, hits, triangles);
+    groups[target] = around;
 }

@@ -15,7 +15,7 @@ inline void add_light_sample(const SurfelPacket *s, const VisibilityMap *map, gl
     vint faces = PACKET_MASK(weight > 0.0f);
     if (!PACKET_ANY(faces)) return;
     Footprint f = packet_footprint(vx, vy, vz, map->n);
-    vint lit = packet_visible(s, map, f, f.index + i * PENCIL_TILE_TEXELS(map->n), cop, faces);
+    vint lit = packet_visible(s, map, f, i, cop, faces);
     weight = select((vfloat)(0.0f), weight, lit);
     rgb[0] = fma(weight, (vfloat)(emission.x), rgb[0]);
     rgb[1] = fma(weight, (vfloat)(emission.y), rgb[1]);
@@ -23,17 +23,17 @@ inline void add_light_sample(const SurfelPacket *s, const VisibilityMap *map, gl
 }
 
 /// launch : 1-D, one work-item per block of PENCIL_BLOCK packets of PENCIL_WIDTH surfels
-/// in     : surfels; samples[sample_count]; cops[sample_count]; cells, corners, hits: tiles of n x n of the samples
+/// in     : surfels; samples[sample_count]; cops[sample_count]; cells, groups, hits: tiles of n x n of the samples
 /// out    : outgoing[3][capacity] [W m^-2 sr^-1], added to if `accumulate`
 /// DEVIATION: cos cos / r^2 becomes cos cos / (r^2 + A/pi), A the area the sample stands for: the form factor of a disc of that area,
 /// exact on its axis. It is bounded where r -> 0 and tends to the printed form as A does to 0. Point lights have A = 0 and cos_l = 1.
 kernel void light_surfels(global const float *surfels, int capacity, int surfel_count, global const LightSample *samples, int sample_count,
-                          global const float4 *cops, global const int2 *cells, global const int4 *corners, global const Hit *hits, global const Triangle *triangles,
+                          global const float4 *cops, global const int2 *cells, global const int4 *groups, global const Hit *hits, global const Triangle *triangles,
                           global const float4 *planes, int n, global float *outgoing, int accumulate)
 {
     int first = get_global_id(0) * PENCIL_BLOCK * PENCIL_WIDTH;
     if (first >= surfel_count) return;
-    VisibilityMap map = {cells, corners, hits, triangles, planes, n};
+    VisibilityMap map = {cells, groups, hits, triangles, planes, n};
     SurfelPacket packets[PENCIL_BLOCK];
     vfloat rgb[PENCIL_BLOCK][3];
     for (int p = 0; p < PENCIL_BLOCK; ++p) {

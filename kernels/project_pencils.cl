@@ -27,7 +27,7 @@ inline void project_pencil(const SurfelPacket *s, const VisibilityMap *map, glob
     if (!PACKET_ANY(faces)) return;
     Footprint f = packet_footprint(vx, vy, vz, map->n);
     vint index = f.index + i * PENCIL_TILE_TEXELS(map->n);
-    vint seen = packet_visible(s, map, f, index, cop, faces);
+    vint seen = packet_visible(s, map, f, i, cop, faces);
     if (!PACKET_ANY(seen)) return;
     cosine *= rsqrt(fma(vx, vx, fma(vy, vy, vz * vz)));
     cosine = select((vfloat)(0.0f), cosine, seen);
@@ -52,20 +52,20 @@ inline float3 projected_irradiance(const ProjectionSums *sums, int l)
 }
 
 /// launch : 1-D, one work-item per block of PENCIL_BLOCK packets of PENCIL_WIDTH surfels
-/// in     : surfels of `capacity` (a multiple of PENCIL_BLOCK * PENCIL_WIDTH); cops[pencil_count]; radiance, cells, corners, hits: tiles of n x n
+/// in     : surfels of `capacity` (a multiple of PENCIL_BLOCK * PENCIL_WIDTH); cops[pencil_count]; radiance, cells, groups, hits: tiles of n x n
 ///          of those pencils
 /// out    : outgoing[3][capacity] [W m^-2 sr^-1], added to if `accumulate`; visible[capacity]: number of pencils that each surfel sees
 /// needs  : radiance and hits folded. A surfel that sees no pencil receives nothing.
 /// PENCIL_WEIGHTS_THESIS 0: E = pi sum(L cos/D) / sum(cos/D). DEVIATION: eq. (5.33)'s normaliser does not tend to the integral.
 /// PENCIL_WEIGHTS_THESIS 1: the printed form, E = 2 pi / n_v^2 * sum(D) * sum(L cos/D), n_v pencils visible.
 kernel void project_pencils(global const float *surfels, int capacity, int surfel_count, global const float4 *cops, int pencil_count,
-                            global const float4 *radiance, global const int2 *cells, global const int4 *corners, global const Hit *hits,
+                            global const float4 *radiance, global const int2 *cells, global const int4 *groups, global const Hit *hits,
                             global const Triangle *triangles, global const float4 *planes, int n, global float *outgoing, int accumulate,
                             global int *visible)
 {
     int first = get_global_id(0) * PENCIL_BLOCK * PENCIL_WIDTH;
     if (first >= surfel_count) return;
-    VisibilityMap map = {cells, corners, hits, triangles, planes, n};
+    VisibilityMap map = {cells, groups, hits, triangles, planes, n};
     SurfelPacket packets[PENCIL_BLOCK];
     ProjectionSums sums[PENCIL_BLOCK];
     for (int p = 0; p < PENCIL_BLOCK; ++p) {

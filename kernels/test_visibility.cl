@@ -1,15 +1,15 @@
 // Which pencils each surfel sees, one bit each: V(x, c_i) of thesis eq. (5.17) for a whole set.
 
 /// launch : 1-D, one work-item per block of PENCIL_BLOCK packets of PENCIL_WIDTH surfels
-/// in     : surfels; cops[pencil_count]; cells, corners, hits: tiles of n x n of those pencils, folded
+/// in     : surfels; cops[pencil_count]; cells, groups, hits: tiles of n x n of those pencils, folded
 /// out    : mask[word][capacity]: bit i % 32 of word i / 32 is set if pencil i sees the surfel from the side that is shaded
 kernel void test_visibility(global const float *surfels, int capacity, int surfel_count, global const float4 *cops, int pencil_count,
-                            global const int2 *cells, global const int4 *corners, global const Hit *hits, global const Triangle *triangles,
+                            global const int2 *cells, global const int4 *groups, global const Hit *hits, global const Triangle *triangles,
                             global const float4 *planes, int n, global uint *mask)
 {
     int first = get_global_id(0) * PENCIL_BLOCK * PENCIL_WIDTH;
     if (first >= surfel_count) return;
-    VisibilityMap map = {cells, corners, hits, triangles, planes, n};
+    VisibilityMap map = {cells, groups, hits, triangles, planes, n};
     SurfelPacket packets[PENCIL_BLOCK];
     vint bits[PENCIL_BLOCK];
     for (int p = 0; p < PENCIL_BLOCK; ++p) packets[p] = load_surfels(surfels, capacity, first + p * PENCIL_WIDTH);
@@ -23,7 +23,7 @@ kernel void test_visibility(global const float *surfels, int capacity, int surfe
                 vint faces = PACKET_MASK(packet_cosine_towards(s, vx, vy, vz) > 0.0f);
                 if (!PACKET_ANY(faces)) continue;
                 Footprint f = packet_footprint(vx, vy, vz, n);
-                vint seen = packet_visible(s, &map, f, f.index + i * PENCIL_TILE_TEXELS(n), cop, faces);
+                vint seen = packet_visible(s, &map, f, i, cop, faces);
                 bits[p] |= seen & (int)(1u << (i % 32));
             }
         }

@@ -33,14 +33,14 @@ GeometryMaps::GeometryMaps(const std::shared_ptr<Device>& device, const std::vec
       n(tile_size),
       cops(device, positions, what + " centres"),
       hits(device, atlas_texels(positions.size(), tile_size), what + " geometry maps"),
-      corners(device, atlas_texels(positions.size(), tile_size), what + " footprint corners"),
+      groups(device, atlas_texels(positions.size(), tile_size), what + " footprint groups"),
       cells(device, atlas_texels(positions.size(), tile_size), what + " footprint cells") {}
 
 void GeometryMaps::copy_tile(const GeometryMaps& other, int source, int target) {
     const std::size_t texels = atlas_texels(1, n), from = static_cast<std::size_t>(source), to = static_cast<std::size_t>(target);
     cops.copy_from(other.cops, from, to, 1);
     hits.copy_from(other.hits, from * texels, to * texels, texels);
-    corners.copy_from(other.corners, from * texels, to * texels, texels);
+    groups.copy_from(other.groups, from * texels, to * texels, texels);
     cells.copy_from(other.cells, from * texels, to * texels, texels);
 }
 

@@ -25,7 +25,7 @@ struct GeometryMaps {
     int n = 0;      // texels along a side
     Buffer<float4> cops;
     Buffer<Hit> hits;
-    Buffer<glm::ivec4> corners;  // planes about footprints whose cell is mixed
+    Buffer<glm::ivec4> groups;   // triangles about footprints that no plane fills
     Buffer<glm::ivec2> cells;  // planes that each footprint shows for sure, see fold_hits.cl
 };
 

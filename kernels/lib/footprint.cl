@@ -4,6 +4,7 @@
 /// bilinear weights of its second column and row.
 typedef struct Footprint {
     vint index;
+    vint x, y;  // of the first texel, counted from the gutter
     vfloat fx, fy;
 } Footprint;
 
@@ -22,6 +23,8 @@ inline Footprint packet_footprint(vfloat vx, vfloat vy, vfloat vz, int n)
     vint ix = PACKET_TO_INT(x);  // x, y > 0: truncation is floor
     vint iy = PACKET_TO_INT(y);
     Footprint f;
+    f.x = ix;
+    f.y = iy;
     f.index = iy * PENCIL_TILE_STRIDE(n) + ix;
     f.fx = x - PACKET_TO_FLOAT(ix);
     f.fy = y - PACKET_TO_FLOAT(iy);
