@@ -47,7 +47,7 @@ public:
     cl::CommandQueue& queue() { return queue_; }
     const cl::Device& cl_device() const { return device_; }
 
-    /// Surfels per work-item in packet kernels (PENCIL_WIDTH): native float width on CPUs (4, 8 or 16), 1 elsewhere;
+    /// Surfels per work-item in packet kernels (PENCIL_WIDTH): native float width on CPUs of 4, 16 on wider ones, 1 elsewhere;
     /// $PENCIL_WIDTH (1, 4, 8, 16) overrides it for tests.
     int packet_width() const;
     /// Work-items per work-group for packet kernels; fixed, because PoCL generates code per local size (F12).
