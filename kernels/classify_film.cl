@@ -5,8 +5,7 @@
 #define JOIN_COSINE 0.98f
 #define JOIN_SLOPE 0.25f
 
-inline bool joins(Hit a, Hit b, float4 da, float4 db, global const Triangle *triangles, global const float4 *planes)
-{
+inline bool joins(Hit a, Hit b, float4 da, float4 db, global const Triangle *triangles, global const float4 *planes) {
     global const Triangle *ta = triangles + a.triangle;
     global const Triangle *tb = triangles + b.triangle;
     if (ta->plane == tb->plane) return true;
@@ -23,8 +22,7 @@ inline bool joins(Hit a, Hit b, float4 da, float4 db, global const Triangle *tri
 ///          counts[pixel]: surfels of the pixel, plus FILM_HAS_EMPTY if a sample shows nothing. Pixels are counted from the film's first.
 kernel void classify_film(global const Hit *hits, Camera camera, global const float2 *offsets, int sample_count, int first_row,
                           int row_count, global const Triangle *triangles, global const float4 *planes, global uchar *slots,
-                          global uchar *counts)
-{
+                          global uchar *counts) {
     int item = get_global_id(0);
     if (item >= row_count * camera.width) return;
     float2 corner = (float2)(item % camera.width, first_row + item / camera.width);

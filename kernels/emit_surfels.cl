@@ -4,8 +4,7 @@
 /// in     : surfels; materials; carried_only 1: only emitters that the pencil maps carry (the "emission" form), 0: all
 /// in/out : radiance[3][capacity], the emitted radiance of surfels seen from their front is added
 kernel void emit_surfels(global const float *surfels, int capacity, int surfel_count, global const Material *materials, int carried_only,
-                         global float *radiance)
-{
+                         global float *radiance) {
     int i = get_global_id(0);
     if (i >= surfel_count) return;
     int m = as_int(surfels[(size_t)SURFEL_MATERIAL * capacity + i]);

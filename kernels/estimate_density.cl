@@ -12,8 +12,7 @@ inline int density_doublings(int visible) { return clamp((int)rint(log2(5.0f * c
 /// in     : surfels; cops[pencil_count]; mask of test_visibility for the same set
 /// out    : radiance, atlas layout, w of interior texels: 1 / D_p(x) in (0, 1]; D counts the pencil itself, so D >= 1
 kernel void estimate_density(global const float *surfels, int capacity, int surfel_count, global const float4 *cops, int pencil_count,
-                             global const uint *mask, int first_tile, int n, global float4 *radiance)
-{
+                             global const uint *mask, int first_tile, int n, global float4 *radiance) {
     int first = get_global_id(0) * PENCIL_WIDTH;
     if (first >= surfel_count) return;
     SurfelPacket s = load_surfels(surfels, capacity, first);

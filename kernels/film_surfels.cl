@@ -6,8 +6,7 @@
 kernel void film_surfels(global const Hit *hits, Camera camera, global const float2 *offsets, int sample_count, int first_row,
                          int row_count, global const uchar *slots, global const uchar *counts, global const int *first_surfel,
                          global const Triangle *triangles, global const float4 *planes, global const Material *materials,
-                         global const float4 *normals, global float *surfels, int capacity)
-{
+                         global const float4 *normals, global float *surfels, int capacity) {
     int item = get_global_id(0);
     if (item >= row_count * camera.width) return;
     float2 corner = (float2)(item % camera.width, first_row + item / camera.width);

@@ -1,15 +1,13 @@
 // Finds centres of projection inside solids from their own geometry maps: inside a solid one sees the backs of its faces.
 
 /// Solid angle of a texel from its direction of unit L1 norm: du dv / |d|^3 (Jacobian of the octahedral map), texel area (2/n)^2.
-inline float texel_solid_angle(float4 direction, int n)
-{
+inline float texel_solid_angle(float4 direction, int n) {
     float inverse = rsqrt(dot(direction.xyz, direction.xyz));
     return 4.0f / ((float)n * n) * inverse * inverse * inverse;
 }
 
 /// Shape whose back a texel shows, -1 if it shows a front or nothing.
-inline int back_shape(Hit hit, global const Triangle *triangles, global const float4 *planes, float4 cop)
-{
+inline int back_shape(Hit hit, global const Triangle *triangles, global const float4 *planes, float4 cop) {
     if (hit.triangle < 0) return -1;
     return plane_ahead(planes[triangles[hit.triangle].plane], cop) > 0.0f ? triangles[hit.triangle].shape : -1;
 }
@@ -19,8 +17,7 @@ inline int back_shape(Hit hit, global const Triangle *triangles, global const fl
 /// out    : enclosing[tile]: the shape whose backs fill more than half of all directions, or -1. Open-bottomed boxes that stand on a floor
 ///          are found as well as closed ones; a single wall fills at most half.
 kernel void find_enclosing(global const Hit *hits, global const float4 *cops, int tile_count, int n, global const Triangle *triangles,
-                           global const float4 *planes, global int *enclosing)
-{
+                           global const float4 *planes, global int *enclosing) {
     int tile = get_global_id(0);
     if (tile >= tile_count) return;
     float4 cop = (float4)(cops[tile].xyz, 0.0f);

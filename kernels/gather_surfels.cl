@@ -5,8 +5,7 @@
 /// out    : surfels, structure of arrays of `capacity`
 kernel void gather_surfels(global const Hit *hits, global const float4 *cops, int first_tile, int tile_count, int n,
                            global const Triangle *triangles, global const float4 *planes, global const Material *materials,
-                           global const float4 *normals, global float *surfels, int capacity)
-{
+                           global const float4 *normals, global float *surfels, int capacity) {
     int item = get_global_id(0);
     if (item >= tile_count * n * n) return;
     int tile = first_tile + item / (n * n);

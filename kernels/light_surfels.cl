@@ -1,8 +1,8 @@
 // Direct light of surfels from the light samples (thesis alg. 6.2), each with its own geometry map for visibility.
 
 /// Irradiance of one packet from sample i, added to rgb.
-inline void add_light_sample(const SurfelPacket *s, const VisibilityMap *map, global const LightSample *sample, float4 cop, int i, vfloat *rgb)
-{
+inline void add_light_sample(const SurfelPacket *s, const VisibilityMap *map, global const LightSample *sample, float4 cop, int i,
+                             vfloat *rgb) {
     float4 normal = sample->normal, emission = sample->emission;
     vfloat vx = s->x - cop.x, vy = s->y - cop.y, vz = s->z - cop.z;
     vfloat weight = packet_cosine_towards(s, vx, vy, vz);
@@ -28,9 +28,8 @@ inline void add_light_sample(const SurfelPacket *s, const VisibilityMap *map, gl
 /// DEVIATION: cos cos / r^2 becomes cos cos / (r^2 + A/pi), A the area the sample stands for: the form factor of a disc of that area,
 /// exact on its axis. It is bounded where r -> 0 and tends to the printed form as A does to 0. Point lights have A = 0 and cos_l = 1.
 kernel void light_surfels(global const float *surfels, int capacity, int surfel_count, global const LightSample *samples, int sample_count,
-                          global const float4 *cops, global const int2 *cells, global const int4 *groups, global const Hit *hits, global const Triangle *triangles,
-                          global const float4 *planes, int n, global float *outgoing, int accumulate)
-{
+                          global const float4 *cops, global const int2 *cells, global const int4 *groups, global const Hit *hits,
+                          global const Triangle *triangles, global const float4 *planes, int n, global float *outgoing, int accumulate) {
     int first = get_global_id(0) * PENCIL_BLOCK * PENCIL_WIDTH;
     if (first >= surfel_count) return;
     VisibilityMap map = {cells, groups, hits, triangles, planes, n};

@@ -2,8 +2,7 @@
 // serves pencil transport (surfels of the next set's texels) and projection-scatter (surfels of the film): it is the hot loop.
 
 /// Radiance (rgb) and density weight 1/D (w) by bilinear interpolation. DEVIATION: 1/D is interpolated, not D: it is what is used.
-inline float4 fetch_radiance(global const float4 *radiance, int index, int stride, float fx, float fy)
-{
+inline float4 fetch_radiance(global const float4 *radiance, int index, int stride, float fx, float fy) {
     global const float4 *t = radiance + index;
     float4 upper = t[0] + fx * (t[1] - t[0]);
     float4 lower = t[stride] + fx * (t[stride + 1] - t[stride]);
@@ -12,15 +11,14 @@ inline float4 fetch_radiance(global const float4 *radiance, int index, int strid
 
 /// Sums over the pencils that a packet of surfels sees.
 typedef struct ProjectionSums {
-    float4 light[PENCIL_WIDTH];  // rgb: sum of L cos/D; w: sum of cos/D
+    float4 light[PENCIL_WIDTH];   // rgb: sum of L cos/D; w: sum of cos/D
     vint seen;                    // number of pencils
     float density[PENCIL_WIDTH];  // sum of D, for PENCIL_WEIGHTS_THESIS only
 } ProjectionSums;
 
 /// Adds pencil i to the sums of one packet.
 inline void project_pencil(const SurfelPacket *s, const VisibilityMap *map, global const float4 *radiance, float4 cop, int i,
-                           ProjectionSums *sums)
-{
+                           ProjectionSums *sums) {
     vfloat vx = s->x - cop.x, vy = s->y - cop.y, vz = s->z - cop.z;
     vfloat cosine = packet_cosine_towards(s, vx, vy, vz);
     vint faces = PACKET_MASK(cosine > 0.0f);
@@ -43,8 +41,7 @@ inline void project_pencil(const SurfelPacket *s, const VisibilityMap *map, glob
 }
 
 /// Irradiance from the sums of lane l.
-inline float3 projected_irradiance(const ProjectionSums *sums, int l)
-{
+inline float3 projected_irradiance(const ProjectionSums *sums, int l) {
     float4 light = sums->light[l];
     float seen = (float)LANE_INT(sums->seen, l);
     if (PENCIL_WEIGHTS_THESIS) return seen > 0.0f ? light.xyz * (2.0f * M_PI_F * sums->density[l] / (seen * seen)) : (float3)(0.0f);
@@ -52,7 +49,8 @@ inline float3 projected_irradiance(const ProjectionSums *sums, int l)
 }
 
 /// launch : 1-D, one work-item per block of PENCIL_BLOCK packets of PENCIL_WIDTH surfels
-/// in     : surfels of `capacity` (a multiple of PENCIL_BLOCK * PENCIL_WIDTH); cops[pencil_count]; radiance, cells, groups, hits: tiles of n x n
+/// in     : surfels of `capacity` (a multiple of PENCIL_BLOCK * PENCIL_WIDTH); cops[pencil_count]; radiance, cells, groups, hits: tiles of
+/// n x n
 ///          of those pencils
 /// out    : outgoing[3][capacity] [W m^-2 sr^-1], added to if `accumulate`; visible[capacity]: number of pencils that each surfel sees
 /// needs  : radiance and hits folded. A surfel that sees no pencil receives nothing.
@@ -61,8 +59,7 @@ inline float3 projected_irradiance(const ProjectionSums *sums, int l)
 kernel void project_pencils(global const float *surfels, int capacity, int surfel_count, global const float4 *cops, int pencil_count,
                             global const float4 *radiance, global const int2 *cells, global const int4 *groups, global const Hit *hits,
                             global const Triangle *triangles, global const float4 *planes, int n, global float *outgoing, int accumulate,
-                            global int *visible)
-{
+                            global int *visible) {
     int first = get_global_id(0) * PENCIL_BLOCK * PENCIL_WIDTH;
     if (first >= surfel_count) return;
     VisibilityMap map = {cells, groups, hits, triangles, planes, n};

@@ -6,8 +6,7 @@
 
 /// Bounds of the projection of the part of a triangle (corners relative to the pinhole) in front of it: (min px, min py, max px, max py).
 /// `to_film` rows give px, py and depth of a point as (row0 . p) / (row2 . p), (row1 . p) / (row2 . p), row2 . p.
-inline float4 film_bounds(const float4 *p, const float4 *to_film)
-{
+inline float4 film_bounds(const float4 *p, const float4 *to_film) {
     float4 bounds = (float4)(INFINITY, INFINITY, -INFINITY, -INFINITY);
     for (int i = 0; i < 3; ++i) {
         float4 a = p[i];
@@ -34,8 +33,7 @@ inline float4 film_bounds(const float4 *p, const float4 *to_film)
 /// needs  : hits beyond the camera's clip distances are dropped
 kernel void rasterize_film(global const Triangle *triangles, int triangle_count, global const float4 *planes, Camera camera,
                            global const float4 *to_film, global const float2 *offsets, int sample_count, int first_row, int row_count,
-                           int band, global Hit *hits)
-{
+                           int band, global Hit *hits) {
     int item = get_global_id(0);
     int bands = (row_count + band - 1) / band;
     if (item >= bands * sample_count) return;

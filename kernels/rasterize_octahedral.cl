@@ -7,8 +7,7 @@
 
 /// Direction through (u, v) in the octant of signs s: inside the diamond (u, v, 1 - sx u - sy v); outside it
 /// (sx - sx sy v, sy - sx sy u, 1 - sx u - sy v), which is the flip of eq. (4.17).
-inline RasterFrame octant_frame(float3 s)
-{
+inline RasterFrame octant_frame(float3 s) {
     RasterFrame f;
     float sxy = s.x * s.y;
     bool front = s.z > 0.0f;
@@ -19,8 +18,7 @@ inline RasterFrame octant_frame(float3 s)
 }
 
 /// Keeps the part of a polygon with a non-negative component `axis`. Returns its number of corners.
-inline int clip_polygon(const float4 *in, int count, int axis, float4 *out)
-{
+inline int clip_polygon(const float4 *in, int count, int axis, float4 *out) {
     int kept = 0;
     for (int i = 0; i < count; ++i) {
         float4 p = in[i];
@@ -35,8 +33,7 @@ inline int clip_polygon(const float4 *in, int count, int axis, float4 *out)
 
 /// Bounds of |x| / W and |y| / W over the part of the triangle in the octant, corners given with the octant's signs taken out:
 /// (min x, min y, max x, max y); min > max if no part lies in it.
-inline float4 octant_bounds(float4 p0, float4 p1, float4 p2)
-{
+inline float4 octant_bounds(float4 p0, float4 p1, float4 p2) {
     float4 a[7] = {p0, p1, p2}, b[7];
     int count = 3;
     float4 low = fmin(fmin(p0, p1), p2);
@@ -57,8 +54,7 @@ inline float4 octant_bounds(float4 p0, float4 p1, float4 p2)
 }
 
 /// Draws one triangle into one octant of one tile.
-inline void raster_octant(RasterTriangle t, float4 bounds, float3 s, int triangle, int n, global Hit *tile)
-{
+inline void raster_octant(RasterTriangle t, float4 bounds, float3 s, int triangle, int n, global Hit *tile) {
     int half_n = n / 2;
     // Rings count texels from the axes outwards: |u| = (2 k + 1) / n. Outside the diamond |u| = 1 - |y|/W and |v| = 1 - |x|/W.
     float4 uv = s.z > 0.0f ? bounds : 1.0f - bounds.wzyx;
@@ -78,8 +74,7 @@ inline void raster_octant(RasterTriangle t, float4 bounds, float3 s, int triangl
 }
 
 /// Clears the texels of one octant.
-inline void clear_octant(float3 s, int n, global Hit *tile)
-{
+inline void clear_octant(float3 s, int n, global Hit *tile) {
     int half_n = n / 2;
     for (int ky = 0; ky < half_n; ++ky)
         for (int kx = 0; kx < half_n; ++kx) {
@@ -97,8 +92,7 @@ inline void clear_octant(float3 s, int n, global Hit *tile)
 /// out    : hits, atlas layout, interior texels of tiles first_tile ..; disparity for a direction of unit L1 norm
 /// needs  : nothing of the centres: a triangle whose plane passes within PLANE_TOLERANCE of one is not seen from it
 kernel void rasterize_octahedral(global const Triangle *triangles, int triangle_count, global const float4 *planes,
-                                 global const float4 *cops, int first_tile, int tile_count, int n, global Hit *hits)
-{
+                                 global const float4 *cops, int first_tile, int tile_count, int n, global Hit *hits) {
     int item = get_global_id(0);
     if (item >= 8 * tile_count) return;
     int octant = item % 8;

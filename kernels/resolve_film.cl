@@ -1,13 +1,13 @@
 // Surfel values to pixels by the reconstruction filter, over all visibility samples of all pixels in its support.
 
 /// launch : 1-D, one work-item per pixel
-/// in     : values, fields first_field .. first_field + 2 of [field][capacity]; slots, counts, first_surfel; weights[(2 reach + 1)^2 * sample_count]: the filter at each sample of each
+/// in     : values, fields first_field .. first_field + 2 of [field][capacity]; slots, counts, first_surfel; weights[(2 reach + 1)^2 *
+/// sample_count]: the filter at each sample of each
 ///          neighbour, row by row; totals[(2 reach + 1)^2]: sums over the samples of a neighbour
 /// out    : image[pixel * 3 + channel]
 kernel void resolve_film(global const float *values, int first_field, int capacity, global const uchar *slots, global const uchar *counts,
                          global const int *first_surfel, global const float *weights, global const float *totals, int reach,
-                         int sample_count, int width, int height, global float *image)
-{
+                         int sample_count, int width, int height, global float *image) {
     int pixel = get_global_id(0);
     if (pixel >= width * height) return;
     int2 centre = (int2)(pixel % width, pixel / width);
@@ -28,7 +28,8 @@ kernel void resolve_film(global const float *values, int first_field, int capaci
             }
             for (int s = 0; s < sample_count; ++s)
                 if (slot[s] != NO_SURFEL)
-                    sum += weights[cell * sample_count + s] * (float3)(v[slot[s]], v[(size_t)capacity + slot[s]], v[2 * (size_t)capacity + slot[s]]);
+                    sum += weights[cell * sample_count + s] *
+                           (float3)(v[slot[s]], v[(size_t)capacity + slot[s]], v[2 * (size_t)capacity + slot[s]]);
         }
     vstore3(norm > 0.0f ? sum / norm : (float3)(0.0f), pixel, image);
 }

@@ -2,16 +2,15 @@
 // host/cl/self_test.cpp. Inputs come from memory, so that the compiler cannot work the answers out itself.
 
 #define SELF_TEST_SIZE(T) out[i++] = (uint)sizeof(T);
-#define SELF_TEST_FIELD(T, member)                                                \
-    {                                                                             \
-        T value;                                                                  \
+#define SELF_TEST_FIELD(T, member)                                                 \
+    {                                                                              \
+        T value;                                                                   \
         out[i++] = (uint)((private char *)&value.member - (private char *)&value); \
     }
 
 /// Layout of the shared structs, in the order of PENCIL_LAYOUT.
 /// launch : one work-item          out : one uint per entry
-kernel void self_test_layout(global uint *out)
-{
+kernel void self_test_layout(global uint *out) {
     int i = 0;
     if (get_global_id(0) != 0) return;
     PENCIL_LAYOUT(SELF_TEST_SIZE, SELF_TEST_FIELD)
@@ -19,8 +18,7 @@ kernel void self_test_layout(global uint *out)
 
 /// NaN, infinity, signed zero and rounding.
 /// launch : one work-item          in : 0, 1, 3, 0.5, -2.5          out : 20 floats, see check_floats
-kernel void self_test_floats(global const float *in, global float *out)
-{
+kernel void self_test_floats(global const float *in, global float *out) {
     if (get_global_id(0) != 0) return;
     float zero = in[0], one = in[1], three = in[2], half_ = in[3], negative = in[4];
     float nan_ = zero / zero, infinity = one / zero;
@@ -48,8 +46,7 @@ kernel void self_test_floats(global const float *in, global float *out)
 
 /// a * b + c as the compiler likes it, then as one rounding, then as two.
 /// launch : one work-item          in : a, b, c          out : 3 floats
-kernel void self_test_contraction(global const float *in, global float *out)
-{
+kernel void self_test_contraction(global const float *in, global float *out) {
     if (get_global_id(0) != 0) return;
     out[0] = in[0] * in[1] + in[2];
     out[1] = fma(in[0], in[1], in[2]);
@@ -60,8 +57,7 @@ kernel void self_test_contraction(global const float *in, global float *out)
 }
 
 /// launch : one work-item          in : 0x9e3779b9, 7, -13 as uint          out : 10 uints, see check_integers
-kernel void self_test_integers(global const uint *in, global uint *out)
-{
+kernel void self_test_integers(global const uint *in, global uint *out) {
     if (get_global_id(0) != 0) return;
     uint a = in[0], b = in[1];
     int c = as_int(in[2]);
@@ -81,8 +77,7 @@ kernel void self_test_integers(global const uint *in, global uint *out)
 /// Load, compare, select, convert and store whole packets.
 /// launch : 1-D, one work-item per packet          in : `count` floats, a multiple of PENCIL_WIDTH
 /// out    : values: the square where the input is above zero, else -1; lanes: the lane; any: 1 where the packet has a value above zero
-kernel void self_test_packets(global const float *in, int count, global float *values, global int *lanes, global int *any_positive)
-{
+kernel void self_test_packets(global const float *in, int count, global float *values, global int *lanes, global int *any_positive) {
     int packet = get_global_id(0);
     if (packet >= count / PENCIL_WIDTH) return;
     int first = packet * PENCIL_WIDTH;
@@ -95,8 +90,7 @@ kernel void self_test_packets(global const float *in, int count, global float *v
 
 /// Sum in a fixed order: one value per work-item, then pairs at half the distance until one is left.
 /// launch : 1-D, groups of SELF_TEST_GROUP items          in : a multiple of SELF_TEST_GROUP floats          out : one sum per group
-kernel __attribute__((reqd_work_group_size(SELF_TEST_GROUP, 1, 1))) void self_test_reduction(global const float *in, global float *out)
-{
+kernel __attribute__((reqd_work_group_size(SELF_TEST_GROUP, 1, 1))) void self_test_reduction(global const float *in, global float *out) {
     local float partial[SELF_TEST_GROUP];
     int item = get_local_id(0);
     partial[item] = in[get_global_id(0)];

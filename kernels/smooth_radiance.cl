@@ -5,8 +5,7 @@
 /// out    : radiance, atlas layout, tiles first_tile ..: rgb is the binomial mean (1 2 1)^2 / 16 of the sharp texels around; w is kept
 /// DEVIATION: the thesis looks up what was rendered. A texel is one sample of its surface, so edges in the map are staircases; the mean
 /// turns them into ramps of the width that bilinear look-ups resolve anyway.
-kernel void smooth_radiance(global const float4 *sharp, int first_tile, int tile_count, int n, global float4 *radiance)
-{
+kernel void smooth_radiance(global const float4 *sharp, int first_tile, int tile_count, int n, global float4 *radiance) {
     int item = get_global_id(0);
     int texels = PENCIL_TILE_TEXELS(n);
     if (item >= tile_count * texels) return;

@@ -4,8 +4,7 @@
 /// launch : 1-D, one work-item per texel of `tile_count` tiles
 /// in     : outgoing[3][capacity], surfel order of gather_surfels
 /// out    : radiance, atlas layout, rgb of interior texels (w, the density weight, is left alone)
-kernel void store_radiance(global const float *outgoing, int capacity, int first_tile, int tile_count, int n, global float4 *radiance)
-{
+kernel void store_radiance(global const float *outgoing, int capacity, int first_tile, int tile_count, int n, global float4 *radiance) {
     int i = get_global_id(0);
     if (i >= tile_count * n * n) return;
     int tile = first_tile + i / (n * n);

@@ -3,8 +3,7 @@
 /// launch : 1-D, one work-item per tile; the sum runs in a fixed order
 /// in     : radiance, atlas layout, interior texels
 /// out    : means[tile]: rgb mean over the texels
-kernel void sum_radiance(global const float4 *radiance, int tile_count, int n, global float4 *means)
-{
+kernel void sum_radiance(global const float4 *radiance, int tile_count, int n, global float4 *means) {
     int tile = get_global_id(0);
     if (tile >= tile_count) return;
     float4 sum = (float4)(0.0f);

@@ -5,8 +5,7 @@
 /// out    : mask[word][capacity]: bit i % 32 of word i / 32 is set if pencil i sees the surfel from the side that is shaded
 kernel void test_visibility(global const float *surfels, int capacity, int surfel_count, global const float4 *cops, int pencil_count,
                             global const int2 *cells, global const int4 *groups, global const Hit *hits, global const Triangle *triangles,
-                            global const float4 *planes, int n, global uint *mask)
-{
+                            global const float4 *planes, int n, global uint *mask) {
     int first = get_global_id(0) * PENCIL_BLOCK * PENCIL_WIDTH;
     if (first >= surfel_count) return;
     VisibilityMap map = {cells, groups, hits, triangles, planes, n};

@@ -29,15 +29,20 @@ double filter_value(const ReconstructionFilter& f, double x) {
     if (f.kind == Kind::box) return x >= -f.radius && x < f.radius ? 1.0 : 0.0;
     if (a > f.radius) return 0.0;
     switch (f.kind) {
-        case Kind::tent: return std::max(1.0 - a / f.radius, 0.0);
+        case Kind::tent:
+            return std::max(1.0 - a / f.radius, 0.0);
         case Kind::gaussian: {
             const double alpha = -0.5 / (f.stddev * f.stddev);
             return std::max(std::exp(alpha * a * a) - std::exp(alpha * f.radius * f.radius), 0.0);
         }
-        case Kind::mitchell: return mitchell(2 * a / f.radius, f.b, f.c);
-        case Kind::catmullrom: return mitchell(2 * a / f.radius, 0.0, 0.5);
-        case Kind::lanczos: return sinc(a) * sinc(a / f.radius);
-        default: return 0.0;
+        case Kind::mitchell:
+            return mitchell(2 * a / f.radius, f.b, f.c);
+        case Kind::catmullrom:
+            return mitchell(2 * a / f.radius, 0.0, 0.5);
+        case Kind::lanczos:
+            return sinc(a) * sinc(a / f.radius);
+        default:
+            return 0.0;
     }
 }
 
@@ -45,7 +50,8 @@ std::vector<glm::vec2> film_sample_offsets(int samples, std::uint64_t seed) {
     const glm::dvec2 shift(random_unit(seed, 101, 0), random_unit(seed, 102, 0));
     std::vector<glm::vec2> offsets;
     offsets.reserve(static_cast<std::size_t>(samples));
-    for (int i = 0; i < samples; ++i) offsets.emplace_back(glm::min(glm::vec2(r2_sequence(static_cast<std::uint64_t>(i), shift)), glm::vec2(0.99999994F)));
+    for (int i = 0; i < samples; ++i)
+        offsets.emplace_back(glm::min(glm::vec2(r2_sequence(static_cast<std::uint64_t>(i), shift)), glm::vec2(0.99999994F)));
     return offsets;
 }
 
@@ -56,7 +62,8 @@ FilterTable tabulate_filter(const ReconstructionFilter& filter, const std::vecto
         for (int dx = -table.reach; dx <= table.reach; ++dx) {
             double total = 0;
             for (const glm::vec2& o : offsets) {
-                const double w = filter_value(filter, dx + static_cast<double>(o.x) - 0.5) * filter_value(filter, dy + static_cast<double>(o.y) - 0.5);
+                const double w =
+                    filter_value(filter, dx + static_cast<double>(o.x) - 0.5) * filter_value(filter, dy + static_cast<double>(o.y) - 0.5);
                 table.weights.push_back(static_cast<float>(w));
                 total += w;
             }

@@ -32,7 +32,9 @@ Normalisation normalise(const Scene& scene) {
     return n;
 }
 
-float4 to_float4(const glm::dvec3& v, double w = 0) { return float4(static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), static_cast<float>(w)); }
+float4 to_float4(const glm::dvec3& v, double w = 0) {
+    return float4(static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), static_cast<float>(w));
+}
 
 Plane3 plane_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     glm::dvec3 normal = glm::normalize(glm::cross(b - a, c - a));
@@ -64,8 +66,8 @@ void flatten_triangles(const Scene& scene, FlatScene& flat) {
             last = own;
             last_shape = shape;
         }
-        flat.triangles.push_back(
-            {to_float4(corners[0]), to_float4(corners[1]), to_float4(corners[2]), static_cast<int>(flat.planes.size()) - 1, shape, shape, 0});
+        flat.triangles.push_back({to_float4(corners[0]), to_float4(corners[1]), to_float4(corners[2]),
+                                  static_cast<int>(flat.planes.size()) - 1, shape, shape, 0});
         if (smooth)
             for (int k = 0; k < 3; ++k) flat.normals.push_back(float4(scene.normals[t.corners[k]], 0.0F));
     }
@@ -91,7 +93,8 @@ void flatten_materials(const Scene& scene, const std::vector<LightForm>& forms, 
         const Shape& shape = scene.shapes[i];
         const Diffuse& bsdf = scene.bsdfs[shape.bsdf];
         float carried = shape.emits && forms[i] == LightForm::maps ? 1.0F : 0.0F;
-        flat.materials.push_back({float4(bsdf.albedo, bsdf.two_sided ? 1.0F : 0.0F), float4(shape.emits ? shape.radiance : glm::vec3(0), carried)});
+        flat.materials.push_back(
+            {float4(bsdf.albedo, bsdf.two_sided ? 1.0F : 0.0F), float4(shape.emits ? shape.radiance : glm::vec3(0), carried)});
     }
 }
 

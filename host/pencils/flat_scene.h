@@ -4,10 +4,10 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "shared/types.h"
+#include "scene/scene.h"
 #include "shared/camera.h"
 #include "shared/geometry.h"
-#include "scene/scene.h"
+#include "shared/types.h"
 
 namespace pencil {
 
@@ -22,11 +22,11 @@ struct Normalisation {
 struct FlatScene {
     Normalisation normalisation;
     std::vector<Triangle> triangles;
-    std::vector<float4> planes;     // unit normal, distance: dot(normal, x) = w on the plane
+    std::vector<float4> planes;       // unit normal, distance: dot(normal, x) = w on the plane
     std::vector<Material> materials;  // one per shape
-    std::vector<float4> normals;    // three per triangle, empty if no shape has vertex normals
+    std::vector<float4> normals;      // three per triangle, empty if no shape has vertex normals
     Camera camera{};
-    std::vector<float4> to_film;    // three rows, see rasterize_film.cl
+    std::vector<float4> to_film;     // three rows, see rasterize_film.cl
     glm::dvec3 low{0.0}, high{0.0};  // bounds of geometry and lights [scene units]
 };
 

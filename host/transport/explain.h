@@ -10,7 +10,7 @@
 
 namespace pencil {
 
-std::vector<std::string> explain(const Scene& scene, const RenderOptions& options, const std::vector<LightForm>& forms, const Features& features,
-                                 const Device& device);
+std::vector<std::string> explain(const Scene& scene, const RenderOptions& options, const std::vector<LightForm>& forms,
+                                 const Features& features, const Device& device);
 
 }  // namespace pencil

@@ -20,7 +20,7 @@ Defines to_defines(const Features& features, int block);
 
 /// Kernels of one render: the program cache with the render's specialisation.
 /// Libraries of the kernels that test the visibility of packets of surfels.
-inline const std::vector<std::string> kPacketVisibility = {"packet",       "octahedral", "footprint",        "triangle",
+inline const std::vector<std::string> kPacketVisibility = {"packet",        "octahedral", "footprint",        "triangle",
                                                            "surfel_packet", "visibility", "packet_visibility"};
 
 class Kernels {
@@ -33,7 +33,9 @@ public:
     ProgramCache& cache() { return cache_; }
     /// Packets per work-item (PENCIL_BLOCK): enough on CPUs to reuse what the caches hold, one where work-items are narrow.
     int block() const { return device()->packet_width() > 1 ? 8 : 1; }
-    std::size_t blocks(int surfels) const { return (packets(surfels) + static_cast<std::size_t>(block()) - 1) / static_cast<std::size_t>(block()); }
+    std::size_t blocks(int surfels) const {
+        return (packets(surfels) + static_cast<std::size_t>(block()) - 1) / static_cast<std::size_t>(block());
+    }
     /// Work-items that cover `surfels` in packets.
     std::size_t packets(int surfels) const {
         int width = device()->packet_width();

@@ -61,7 +61,8 @@ Film::Film(Kernels& kernels, const DeviceScene& scene, const Camera& camera, con
 void Film::rasterize(Kernels& kernels, const DeviceScene& scene, int first_row, int rows) {
     const int bands = (rows + kBandRows - 1) / kBandRows;
     kernels.get("rasterize_film", {"packet", "octahedral", "triangle", "raster"})
-        .args(scene.triangles, scene.triangle_count, scene.planes, camera_, scene.to_film, offsets_, samples_, first_row, rows, kBandRows, hits_)
+        .args(scene.triangles, scene.triangle_count, scene.planes, camera_, scene.to_film, offsets_, samples_, first_row, rows, kBandRows,
+              hits_)
         .run(static_cast<std::size_t>(bands) * static_cast<std::size_t>(samples_), "rasterize film", 1);
 }
 

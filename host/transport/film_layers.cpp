@@ -17,7 +17,8 @@ void to_world(const FlatScene& flat, const std::vector<float>& coverage, std::ve
     depth.assign(position.size() / 3, 0.0F);
     for (std::size_t i = 0; i < depth.size(); ++i) {
         // The filter also averages over what is empty: positions are scaled back to the covered part.
-        const float covered = coverage[3 * i] * coverage[3 * i] + coverage[3 * i + 1] * coverage[3 * i + 1] + coverage[3 * i + 2] * coverage[3 * i + 2];
+        const float covered =
+            coverage[3 * i] * coverage[3 * i] + coverage[3 * i + 1] * coverage[3 * i + 1] + coverage[3 * i + 2] * coverage[3 * i + 2];
         if (covered == 0.0F) {
             for (std::size_t c = 0; c < 3; ++c) position[3 * i + c] = 0.0F;
             continue;
@@ -38,7 +39,8 @@ glm::dvec3 mean_rgb(const std::vector<float>& pixels) {
 
 FilmLayers::FilmLayers(const std::vector<std::string>& aovs) : aovs_(aovs.begin(), aovs.end()) {
     for (const std::string& aov : aovs)
-        if (kKnown.count(aov) == 0) throw UsageError("unknown layer \"" + aov + "\"; known: emission, direct, bounces, albedo, normal, depth, position");
+        if (kKnown.count(aov) == 0)
+            throw UsageError("unknown layer \"" + aov + "\"; known: emission, direct, bounces, albedo, normal, depth, position");
 }
 
 void FilmLayers::add_surfaces(Kernels& kernels, const DeviceScene& scene, const FlatScene& flat, const Film& film) {

@@ -10,10 +10,10 @@
 
 namespace pencil {
 
-/// A centre is inside a solid if the backs of one shape fill more than half of what it sees, and that shape is not a room. A shape is a room
-/// if the camera or a light sample is inside it by the same measure. So closed and nearly closed meshes are solids; open meshes, single
-/// walls, and rooms modelled with their fronts outwards are not. A centre in a sealed void that sees only fronts is kept: it is harmless,
-/// because no surfel that is lit or seen has a line to it.
+/// A centre is inside a solid if the backs of one shape fill more than half of what it sees, and that shape is not a room. A shape is a
+/// room if the camera or a light sample is inside it by the same measure. So closed and nearly closed meshes are solids; open meshes,
+/// single walls, and rooms modelled with their fronts outwards are not. A centre in a sealed void that sees only fronts is kept: it is
+/// harmless, because no surfel that is lit or seen has a line to it.
 class FreeSpace {
 public:
     /// `lights` may be null.

@@ -28,7 +28,8 @@ std::vector<float4> positions_of(const std::vector<LightSample>& samples) {
 
 }  // namespace
 
-GeometryMaps::GeometryMaps(const std::shared_ptr<Device>& device, const std::vector<float4>& positions, int tile_size, const std::string& what)
+GeometryMaps::GeometryMaps(const std::shared_ptr<Device>& device, const std::vector<float4>& positions, int tile_size,
+                           const std::string& what)
     : count(static_cast<int>(positions.size())),
       n(tile_size),
       cops(device, positions, what + " centres"),

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "cl/buffer.h"
-#include "shared/types.h"
 #include "shared/atlas.h"
 #include "shared/geometry.h"
 #include "shared/light.h"
+#include "shared/types.h"
 
 namespace pencil {
 
@@ -25,8 +25,8 @@ struct GeometryMaps {
     int n = 0;      // texels along a side
     Buffer<float4> cops;
     Buffer<Hit> hits;
-    Buffer<glm::ivec4> groups;   // triangles about footprints that no plane fills
-    Buffer<glm::ivec2> cells;  // planes that each footprint shows for sure, see fold_hits.cl
+    Buffer<glm::ivec4> groups;  // triangles about footprints that no plane fills
+    Buffer<glm::ivec2> cells;   // planes that each footprint shows for sure, see fold_hits.cl
 };
 
 /// Pencils: geometry maps with radiance (rgb) and density weight 1/D (w) per texel. Sets of one fixed iteration share their maps.

@@ -57,7 +57,9 @@ void PencilSolver::fill(PencilSet& target, const PencilSet* source, bool emissio
     Buffer<float> outgoing = surfel_rgb(device, surfels.capacity, "radiance of pencil maps");
     Buffer<int> visible(device, static_cast<std::size_t>(surfels.capacity), "visible pencils");
     Buffer<uint> mask;
-    if (density) mask = Buffer<uint>(device, static_cast<std::size_t>(surfels.capacity) * static_cast<std::size_t>(mask_words(target.maps->count)), "visibility masks");
+    if (density)
+        mask = Buffer<uint>(device, static_cast<std::size_t>(surfels.capacity) * static_cast<std::size_t>(mask_words(target.maps->count)),
+                            "visibility masks");
     for (int first = 0; first < target.maps->count; first += tiles) {
         const int count = std::min(tiles, target.maps->count - first);
         times_.transport += clock_.run(source ? "pencil transport" : "initial gather", [&] {

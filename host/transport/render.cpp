@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pencils/light_samples.h"
 #include "transport/bounce_series.h"
 #include "transport/emit_surfels.h"
 #include "transport/explain.h"
@@ -13,7 +14,6 @@
 #include "transport/project_pencils.h"
 #include "transport/rasterize_octahedral.h"
 #include "transport/sum_radiance.h"
-#include "pencils/light_samples.h"
 #include "util/error.h"
 
 namespace pencil {
@@ -46,7 +46,8 @@ public:
         check_options();
         check_memory();
         explain_decisions();
-        clock_.run("film geometry", [&] { film_ = std::make_unique<Film>(kernels_, device_scene_, flat_.camera, scene_.sensor.filter, options_.seed); });
+        clock_.run("film geometry",
+                   [&] { film_ = std::make_unique<Film>(kernels_, device_scene_, flat_.camera, scene_.sensor.filter, options_.seed); });
         clock_.run("light sample maps", [&] { make_lights(); });
         clock_.run("surface layers", [&] { layers_.add_surfaces(kernels_, device_scene_, flat_, *film_); });
         bool dark = lights_.maps.count == 0 && !maps_emit_;
@@ -61,10 +62,12 @@ public:
 private:
     /// Limits of the kernels' 32-bit indices and layouts, for callers that bypass the command line.
     void check_options() {
-        if (options_.map < 8 || options_.map % 8 != 0) throw UsageError("the map size must be a multiple of 8, not " + std::to_string(options_.map));
+        if (options_.map < 8 || options_.map % 8 != 0)
+            throw UsageError("the map size must be a multiple of 8, not " + std::to_string(options_.map));
         if (options_.film_samples < 1 || options_.film_samples > 64)
             throw UsageError("film samples must be 1 to 64, not " + std::to_string(options_.film_samples));
-        if (options_.pencils < 1 || options_.decay <= 0 || options_.decay > 1) throw UsageError("at least one pencil and a decay in (0, 1] are needed");
+        if (options_.pencils < 1 || options_.decay <= 0 || options_.decay > 1)
+            throw UsageError("at least one pencil and a decay in (0, 1] are needed");
     }
 
     void check_memory() {
@@ -72,9 +75,10 @@ private:
         const double bytes = film_bytes(pixels, options_.film_samples);
         const double available = static_cast<double>(kernels_.device()->info().global_memory);
         if (bytes > available)
-            throw MemoryError("a film of " + std::to_string(flat_.camera.width) + "x" + std::to_string(flat_.camera.height) + " pixels needs about " +
-                              std::to_string(static_cast<long long>(bytes / (1 << 20))) + " MiB of device memory, " +
-                              std::to_string(static_cast<long long>(available / (1 << 20))) + " MiB exist; use a smaller --resolution");
+            throw MemoryError("a film of " + std::to_string(flat_.camera.width) + "x" + std::to_string(flat_.camera.height) +
+                              " pixels needs about " + std::to_string(static_cast<long long>(bytes / (1 << 20))) +
+                              " MiB of device memory, " + std::to_string(static_cast<long long>(available / (1 << 20))) +
+                              " MiB exist; use a smaller --resolution");
     }
 
     void explain_decisions() { result_.stats.explain = explain(scene_, options_, forms_, kernels_.features(), *kernels_.device()); }
@@ -88,8 +92,7 @@ private:
 
     void make_lights() {
         const std::vector<LightSample> samples = sample_lights(scene_, flat_, forms_, options_.light_samples, options_.seed);
-        for (std::size_t i = 0; i < forms_.size(); ++i)
-            maps_emit_ = maps_emit_ || (scene_.shapes[i].emits && forms_[i] == LightForm::maps);
+        for (std::size_t i = 0; i < forms_.size(); ++i) maps_emit_ = maps_emit_ || (scene_.shapes[i].emits && forms_[i] == LightForm::maps);
         if (samples.empty()) return;
         lights_ = LightSet(kernels_.device(), samples, light_map_size(options_.map));
         rasterize_octahedral(kernels_, device_scene_, lights_.maps, 0, lights_.maps.count);
@@ -100,7 +103,8 @@ private:
         outgoing_ = surfel_rgb(kernels_.device(), film_->surfels().capacity, "film radiance");
         visible_ = Buffer<int>(kernels_.device(), static_cast<std::size_t>(film_->surfels().capacity), "visible pencils");
         if (lights_.maps.count == 0) return;
-        clock_.run("direct light", [&] { light_surfels(kernels_, device_scene_, film_->surfels(), lights_, outgoing_, "direct light to film"); });
+        clock_.run("direct light",
+                   [&] { light_surfels(kernels_, device_scene_, film_->surfels(), lights_, outgoing_, "direct light to film"); });
         if (!maps_emit_) finish_bounce(1, 0, 0);
     }
 
@@ -110,7 +114,8 @@ private:
         if (!wanted(order + 1) || clock_.stopped()) return;
         std::unique_ptr<FreeSpace> free_space;
         clock_.run("pencil maps", [&] {
-            free_space = std::make_unique<FreeSpace>(kernels_, device_scene_, flat_, lights_.maps.count > 0 ? &lights_.maps : nullptr, options_.map);
+            free_space =
+                std::make_unique<FreeSpace>(kernels_, device_scene_, flat_, lights_.maps.count > 0 ? &lights_.maps : nullptr, options_.map);
         });
         explain_rooms(*free_space);
         PencilSolver solver(kernels_, device_scene_, *free_space, lights_, options_, clock_);
@@ -136,7 +141,8 @@ private:
     PencilSet next_set(PencilSolver& solver, const PencilSet& set, int index, bool direct) {
         const bool fixed = options_.iterate == Iterate::fixed;
         PencilSet next = fixed ? PencilSet(kernels_.device(), set.maps) : solver.create(index);
-        if (fixed) next.radiance.copy_from(set.radiance, 0, 0, set.radiance.size());  // the quadrature weights stay, the radiance is overwritten
+        if (fixed)
+            next.radiance.copy_from(set.radiance, 0, 0, set.radiance.size());  // the quadrature weights stay, the radiance is overwritten
         solver.fill(next, &set, false, direct, !fixed);
         return next;
     }

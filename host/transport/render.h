@@ -20,15 +20,15 @@ enum class Iterate { sets, fixed };
 
 struct RenderOptions {
     int pencils = 128;
-    double decay = 0.7;      // size of the next pencil set relative to the last
-    int bounces = -1;        // reflections at most, direct light included; -1: until the tolerance
-    int map = 64;            // octahedral tile size, a multiple of 8 [texels]
+    double decay = 0.7;  // size of the next pencil set relative to the last
+    int bounces = -1;    // reflections at most, direct light included; -1: until the tolerance
+    int map = 64;        // octahedral tile size, a multiple of 8 [texels]
     int light_samples = 64;
     Initial initial = Initial::automatic;
     Placement placement = Placement::lds;
     Weights weights = Weights::dpdf;
     Iterate iterate = Iterate::sets;
-    double tolerance = 1e-3;  // of the radiance a bounce adds, relative to the sum
+    double tolerance = 1e-3;    // of the radiance a bounce adds, relative to the sum
     int width = 0, height = 0;  // 0: the scene's film size
     std::uint64_t seed = 0;
     int film_samples = 16;  // visibility samples per pixel, 1 to 64
@@ -50,8 +50,8 @@ struct StageTime {
 
 /// What one reflection added to the image.
 struct BounceReport {
-    int order = 0;      // 1: direct light
-    int pencils = 0;    // size of the set that carried it, 0 if none did
+    int order = 0;                  // 1: direct light
+    int pencils = 0;                // size of the set that carried it, 0 if none did
     glm::dvec3 mean{0};             // over the film, of the radiance added
     double projection_seconds = 0;  // device time of the projection-scatter of that set
 };
@@ -59,11 +59,11 @@ struct BounceReport {
 struct RenderStats {
     std::vector<StageTime> stages;  // in order of execution; kernel builds are a stage of their own
     std::vector<BounceReport> bounces;
-    double residual = 0;            // estimated radiance of the bounces that were not computed, relative to the image's mean
-    bool tail_closed = false;       // the residual was added as a geometric tail
+    double residual = 0;       // estimated radiance of the bounces that were not computed, relative to the image's mean
+    bool tail_closed = false;  // the residual was added as a geometric tail
     std::uint64_t device_peak_bytes = 0;
     std::uint64_t triangles = 0, film_surfels = 0;
-    std::uint64_t blind_surfels = 0;  // film surfels that no pencil of the first set sees
+    std::uint64_t blind_surfels = 0;   // film surfels that no pencil of the first set sees
     std::vector<std::string> explain;  // decisions and what was left out, one sentence each
     std::vector<std::string> warnings;
 };
@@ -72,7 +72,7 @@ struct RenderResult {
     int width = 0, height = 0;
     std::vector<Layer> layers;  // beauty first
     RenderStats stats;
-    bool interrupted = false;   // stopped early: the layers hold what was finished
+    bool interrupted = false;  // stopped early: the layers hold what was finished
 };
 
 /// Called between launches; `fraction` in [0, 1]. Return false to stop early.

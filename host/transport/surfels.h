@@ -14,7 +14,9 @@ inline int surfel_capacity(int count) { return (count + kSurfelMultiple - 1) / k
 struct Surfels {
     Surfels() = default;
     Surfels(const std::shared_ptr<Device>& device, int surfel_count, const std::string& what)
-        : capacity(surfel_capacity(surfel_count)), count(surfel_count), data(device, static_cast<std::size_t>(capacity) * SURFEL_FIELDS, what) {
+        : capacity(surfel_capacity(surfel_count)),
+          count(surfel_count),
+          data(device, static_cast<std::size_t>(capacity) * SURFEL_FIELDS, what) {
         data.fill_zero();
     }
 

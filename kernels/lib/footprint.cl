@@ -12,8 +12,7 @@ typedef struct Footprint {
 #define FOOTPRINT_TINY 1e-30f
 
 /// thesis eq. (4.25), listing 4.2 with its operands put right. DEVIATION: copysign, not SGN: the sign of 0 must not be 0 on the seam.
-inline Footprint packet_footprint(vfloat vx, vfloat vy, vfloat vz, int n)
-{
+inline Footprint packet_footprint(vfloat vx, vfloat vy, vfloat vz, int n) {
     vfloat norm = fmax(fabs(vx) + fabs(vy) + fabs(vz), (vfloat)(FOOTPRINT_TINY));
     vfloat scale = (0.5f * n) / norm;
     vfloat fold = fmax(-vz, (vfloat)(0.0f));

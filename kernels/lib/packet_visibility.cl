@@ -2,8 +2,7 @@
 // settled by their cell. Needs packet.cl, surfel_packet.cl, footprint.cl, visibility.cl.
 
 /// Lanes that lie behind plane `other` as seen from `cop`, of those for which `blocker` is that plane; none if `other` is not a plane.
-inline vint packet_behind(const SurfelPacket *s, global const float4 *planes, int other, float4 cop, vint blocker)
-{
+inline vint packet_behind(const SurfelPacket *s, global const float4 *planes, int other, float4 cop, vint blocker) {
     float4 plane = planes[max(other, 0)];
     vfloat ahead = plane.w - fma(s->x, (vfloat)(plane.x), fma(s->y, (vfloat)(plane.y), s->z * plane.z));
     float side = plane_ahead(plane, cop) > 0.0f ? 1.0f : -1.0f;
@@ -11,8 +10,8 @@ inline vint packet_behind(const SurfelPacket *s, global const float4 *planes, in
 }
 
 /// Settles the lanes of `open` one by one.
-inline vint settle_lanes(const SurfelPacket *s, const VisibilityMap *map, Footprint f, int tile, float4 cop, vint first, vint blocker, vint open)
-{
+inline vint settle_lanes(const SurfelPacket *s, const VisibilityMap *map, Footprint f, int tile, float4 cop, vint first, vint blocker,
+                         vint open) {
     int visible[PENCIL_WIDTH];
     int lanes = 0;
 #pragma unroll
@@ -32,14 +31,14 @@ inline vint settle_lanes(const SurfelPacket *s, const VisibilityMap *map, Footpr
             if (behind && LANE_INT(blocker, l) == LANE_INT(first, l) && map->cells[at].y == LANE_INT(first, l)) continue;  // fills the cell
         }
         int2 corner = (int2)(LANE_INT(f.x, l), LANE_INT(f.y, l)) - PENCIL_GUTTER;
-        visible[l] = !behind || mixed_footprint_visible(map, tile, corner, at, LANE_FLOAT(f.fx, l), LANE_FLOAT(f.fy, l), cop, x, own) ? -1 : 0;
+        visible[l] =
+            !behind || mixed_footprint_visible(map, tile, corner, at, LANE_FLOAT(f.fx, l), LANE_FLOAT(f.fy, l), cop, x, own) ? -1 : 0;
     }
     return PACKET_LOAD(visible);
 }
 
 /// Lanes of `faces` that are seen from `cop`, the centre of `tile`; f are their footprints.
-inline vint packet_visible(const SurfelPacket *s, const VisibilityMap *map, Footprint f, int tile, float4 cop, vint faces)
-{
+inline vint packet_visible(const SurfelPacket *s, const VisibilityMap *map, Footprint f, int tile, float4 cop, vint faces) {
     vint index = f.index + tile * PENCIL_TILE_TEXELS(map->n);
     int cells[2 * PENCIL_WIDTH];
 #pragma unroll

@@ -14,8 +14,7 @@ typedef struct RasterFrame {
 
 /// Composes edge functions and disparity with the frame. `ahead` is plane_ahead of the centre of projection, not within rounding of 0.
 /// Seen from the back a triangle's edge functions turn their sign, as `ahead` does.
-inline RasterTriangle raster_setup(float4 p0, float4 p1, float4 p2, float4 plane, float ahead, RasterFrame frame)
-{
+inline RasterTriangle raster_setup(float4 p0, float4 p1, float4 p2, float4 plane, float ahead, RasterFrame frame) {
     float side = ahead > 0.0f ? 1.0f : -1.0f;
     float3 e0 = edge_normal(p0, p1).xyz * side;
     float3 e1 = edge_normal(p1, p2).xyz * side;
@@ -31,8 +30,7 @@ inline RasterTriangle raster_setup(float4 p0, float4 p1, float4 p2, float4 plane
 
 /// Draws texels first..last of one row: u of texel x is u0 + x * du. `row` points at texel 0. Larger disparity wins; at equal disparity
 /// the lower triangle index, because triangles come in ascending order (documented tie, N17).
-inline void raster_row(const RasterTriangle *t, int triangle, float u0, float du, float v, int first, int last, global Hit *row)
-{
+inline void raster_row(const RasterTriangle *t, int triangle, float u0, float du, float v, int first, int last, global Hit *row) {
     float4 base = t->b * v + t->c;
     for (int x = first; x <= last; x += PENCIL_WIDTH) {
         vint lane = x + PACKET_LANES;
@@ -57,7 +55,6 @@ inline void raster_row(const RasterTriangle *t, int triangle, float u0, float du
 
 /// Texels whose centres lie in [low, high], both measured in texels from the first texel's lower border; widened by `slack` texels
 /// because it only bounds the search: the edge functions decide.
-inline int2 raster_range(float low, float high, float slack, int last)
-{
+inline int2 raster_range(float low, float high, float slack, int last) {
     return (int2)(max((int)ceil(low - 0.5f - slack), 0), min((int)floor(high - 0.5f + slack), last));
 }

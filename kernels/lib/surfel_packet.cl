@@ -13,10 +13,11 @@ typedef struct SurfelPacket {
 #define LANE_FLOAT(v, l) (((const float *)&(v))[l])
 #define LANE_INT(v, l) (((const int *)&(v))[l])
 
-inline float4 surfel_position(const SurfelPacket *p, int l) { return (float4)(LANE_FLOAT(p->x, l), LANE_FLOAT(p->y, l), LANE_FLOAT(p->z, l), 0.0f); }
+inline float4 surfel_position(const SurfelPacket *p, int l) {
+    return (float4)(LANE_FLOAT(p->x, l), LANE_FLOAT(p->y, l), LANE_FLOAT(p->z, l), 0.0f);
+}
 
-inline SurfelPacket load_surfels(global const float *surfels, int capacity, int first)
-{
+inline SurfelPacket load_surfels(global const float *surfels, int capacity, int first) {
     global const float *s = surfels + first;
     SurfelPacket p;
     p.x = PACKET_LOAD(s + (size_t)SURFEL_X * capacity);
@@ -35,8 +36,7 @@ inline SurfelPacket load_surfels(global const float *surfels, int capacity, int 
 }
 
 /// |x| |v| cos of the angle between the shading normals and -v; 0 where -v is not on the seen side of both normals.
-inline vfloat packet_cosine_towards(const SurfelPacket *p, vfloat vx, vfloat vy, vfloat vz)
-{
+inline vfloat packet_cosine_towards(const SurfelPacket *p, vfloat vx, vfloat vy, vfloat vz) {
     vfloat c = -fma(p->nx, vx, fma(p->ny, vy, p->nz * vz));
     c = fmax(c, (vfloat)(0.0f));
     if (PENCIL_SMOOTH) c = select(c, (vfloat)(0.0f), PACKET_MASK(fma(p->gx, vx, fma(p->gy, vy, p->gz * vz)) >= 0.0f));
@@ -44,8 +44,7 @@ inline vfloat packet_cosine_towards(const SurfelPacket *p, vfloat vx, vfloat vy,
 }
 
 /// Adds (accumulate) or writes a packet of rgb to rgb_buffer[3][capacity].
-inline void store_rgb(global float *rgb_buffer, int capacity, int first, vfloat r, vfloat g, vfloat b, int accumulate)
-{
+inline void store_rgb(global float *rgb_buffer, int capacity, int first, vfloat r, vfloat g, vfloat b, int accumulate) {
     global float *out = rgb_buffer + first;
     if (accumulate) {
         r += PACKET_LOAD(out);
@@ -59,8 +58,7 @@ inline void store_rgb(global float *rgb_buffer, int capacity, int first, vfloat 
 
 /// Scatters irradiance by the diffuse BRDF albedo / pi (operator K).
 inline void scatter_irradiance(global const float *surfels, int capacity, int first, vfloat r, vfloat g, vfloat b, global float *rgb_buffer,
-                               int accumulate)
-{
+                               int accumulate) {
     global const float *s = surfels + first;
     r *= M_1_PI_F * PACKET_LOAD(s + (size_t)SURFEL_ALBEDO_R * capacity);
     g *= M_1_PI_F * PACKET_LOAD(s + (size_t)SURFEL_ALBEDO_G * capacity);

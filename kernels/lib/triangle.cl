@@ -6,8 +6,7 @@
 
 /// Twice cross(p, q), computed as cross(p + q, q - p): exactly the negative of edge_normal(q, p), and without cancellation when p and q
 /// are near each other. Statements are kept apart so that no multiply-add contraction breaks the symmetry.
-inline float4 edge_normal(float4 p, float4 q)
-{
+inline float4 edge_normal(float4 p, float4 q) {
     float4 m = p + q;
     float4 e = q - p;
     float4 a = m.yzxw * e.zxyw;
@@ -21,8 +20,7 @@ inline float4 edge_normal(float4 p, float4 q)
 inline float plane_ahead(float4 plane, float4 point) { return plane.w - fma(plane.x, point.x, fma(plane.y, point.y, plane.z * point.z)); }
 
 /// True if the line from `origin` along `direction` passes through the triangle or its border; `side` is the sign of plane_ahead(origin).
-inline bool line_meets_triangle(global const Triangle *t, float4 origin, float4 direction, float side)
-{
+inline bool line_meets_triangle(global const Triangle *t, float4 origin, float4 direction, float side) {
     float4 a = t->v0 - origin;
     float4 b = t->v1 - origin;
     float4 c = t->v2 - origin;

@@ -13,8 +13,7 @@ typedef struct VisibilityMap {
 } VisibilityMap;
 
 /// True if the segment from cop to x crosses triangle `index` or one of its mates in front of x.
-inline bool segment_crosses(const VisibilityMap *map, int index, float4 cop, float4 x)
-{
+inline bool segment_crosses(const VisibilityMap *map, int index, float4 cop, float4 x) {
     global const Triangle *triangle = map->triangles + index;
     float4 plane = map->planes[triangle->plane];
     float cop_ahead = plane_ahead(plane, cop);
@@ -28,8 +27,7 @@ inline bool segment_crosses(const VisibilityMap *map, int index, float4 cop, flo
 
 /// Bilinear weight of the texels of a footprint that hide x although no triangle they show is crossed: x is behind the plane they show, and
 /// what they show is in front of the plane of x, which a neighbouring facet of a smooth surface never is.
-inline float hiding_weight(const VisibilityMap *map, int tile, int2 corner, float fx, float fy, float4 cop, float4 x, int own)
-{
+inline float hiding_weight(const VisibilityMap *map, int tile, int2 corner, float fx, float fy, float4 cop, float4 x, int own) {
     float4 own_plane = map->planes[own];
     float own_side = plane_ahead(own_plane, cop) > 0.0f ? 1.0f : -1.0f;
     float hidden = 0.0f;
@@ -47,8 +45,7 @@ inline float hiding_weight(const VisibilityMap *map, int tile, int2 corner, floa
 }
 
 /// Rule 1 and 2 of mixed_footprint_visible by the texels themselves, for footprints with more groups of triangles than are stored.
-inline int crowded_footprint(const VisibilityMap *map, int tile, int2 corner, float4 cop, float4 x, int own)
-{
+inline int crowded_footprint(const VisibilityMap *map, int tile, int2 corner, float4 cop, float4 x, int own) {
     int shown = 0;
     for (int k = 0; k < 16; ++k) {
         int2 texel = oct_fold_texel(corner + (int2)(k % 4, k / 4) - 1, map->n);
@@ -64,15 +61,14 @@ inline int crowded_footprint(const VisibilityMap *map, int tile, int2 corner, fl
     return shown;
 }
 
-/// The footprint that its cell does not settle: `corner` is its first texel (-1: gutter) in `tile`, `index` that texel in the atlas, (fx, fy)
-/// its bilinear weights. Rules, in this order:
+/// The footprint that its cell does not settle: `corner` is its first texel (-1: gutter) in `tile`, `index` that texel in the atlas, (fx,
+/// fy) its bilinear weights. Rules, in this order:
 ///   1. a triangle shown by the footprint or by a texel next to it, or a mate of that triangle in the same plane, that the segment crosses
 ///      in front of x hides x: a wall of two triangles may show one and be crossed in the other;
 ///   2. a texel that shows the plane of x itself shows x;
 ///   3. otherwise x is hidden if texels of more than half the bilinear weight hide it (hiding_weight).
 inline bool mixed_footprint_visible(const VisibilityMap *map, int tile, int2 corner, int index, float fx, float fy, float4 cop, float4 x,
-                                    int own)
-{
+                                    int own) {
     int group[4];
     vstore4(map->groups[index], 0, group);
     int shown = 0;

@@ -8,14 +8,13 @@
 #define PENCIL_TILE_STRIDE(size) ((size) + 2 * PENCIL_GUTTER)
 #define PENCIL_TILE_TEXELS(size) (PENCIL_TILE_STRIDE(size) * PENCIL_TILE_STRIDE(size))
 
-
 // Cells: what a 2x2 footprint tells of the visibility of surfels seen through it.
 //   (a, a)              plane a fills it; -1: it shows nothing
 //   (a, b)              it shows a and b, and surfels on either are seen: they meet at a convex edge, or b is -1
 //   (a, CELL_PAIR(b))   it shows a and b; a surfel on one of them is seen if it is not behind the other
 //   (CELL_MIXED, same)  three planes or more; or two walls that meet, with a third next to them that reaches in between the texels
 #define CELL_MIXED (-2)
-#define GROUP_INNER 0x40000000  // of a group of triangles about a footprint: a texel of the footprint itself shows it
+#define GROUP_INNER 0x40000000           // of a group of triangles about a footprint: a texel of the footprint itself shows it
 #define CELL_PAIR(plane) (-3 - (plane))  // its own inverse
 
 #endif

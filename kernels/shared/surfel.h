@@ -3,18 +3,18 @@
 #ifndef PENCIL_SHARED_SURFEL_H
 #define PENCIL_SHARED_SURFEL_H
 
-#define SURFEL_X 0         // position [scene units]
+#define SURFEL_X 0  // position [scene units]
 #define SURFEL_Y 1
 #define SURFEL_Z 2
-#define SURFEL_NX 3        // unit shading normal on the side that was seen
+#define SURFEL_NX 3  // unit shading normal on the side that was seen
 #define SURFEL_NY 4
 #define SURFEL_NZ 5
 #define SURFEL_PLANE 6     // index into planes as int bits, -1 if nothing was seen
 #define SURFEL_ALBEDO_R 7  // diffuse reflectance of the side that was seen
 #define SURFEL_ALBEDO_G 8
 #define SURFEL_ALBEDO_B 9
-#define SURFEL_MATERIAL 10 // index into materials as int bits; ~index if the back was seen; material of nothing: PENCIL_NO_MATERIAL
-#define SURFEL_GX 11       // unit geometric normal on the side that was seen
+#define SURFEL_MATERIAL 10  // index into materials as int bits; ~index if the back was seen; material of nothing: PENCIL_NO_MATERIAL
+#define SURFEL_GX 11        // unit geometric normal on the side that was seen
 #define SURFEL_GY 12
 #define SURFEL_GZ 13
 #define SURFEL_FIELDS 14

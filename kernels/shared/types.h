@@ -5,7 +5,6 @@
 
 #ifndef __OPENCL_C_VERSION__
 #include <cstdint>
-
 #include <glm/vec4.hpp>
 
 namespace pencil {
