@@ -2,14 +2,21 @@
 #ifndef PENCIL_SELF_TEST_LAYOUT_H
 #define PENCIL_SELF_TEST_LAYOUT_H
 
-#define PENCIL_LAYOUT(SIZE, FIELD)                                                                                                         \
-    SIZE(float4)                                                                                                                           \
-    SIZE(Triangle)                                                                                                                         \
-    FIELD(Triangle, v0)                                                                                                                    \
-    FIELD(Triangle, v1) FIELD(Triangle, v2) FIELD(Triangle, plane) FIELD(Triangle, material) FIELD(Triangle, shape) FIELD(Triangle, mates) \
-        SIZE(Material) FIELD(Material, albedo) FIELD(Material, emission) SIZE(Hit) FIELD(Hit, triangle) FIELD(Hit, disparity)              \
-            SIZE(LightSample) FIELD(LightSample, position) FIELD(LightSample, normal) FIELD(LightSample, emission) SIZE(Camera)            \
-                FIELD(Camera, origin) FIELD(Camera, corner) FIELD(Camera, step_x) FIELD(Camera, step_y) FIELD(Camera, width)               \
-                    FIELD(Camera, height) FIELD(Camera, near_clip) FIELD(Camera, far_clip)
+// clang-format off
+#define PENCIL_LAYOUT(SIZE, FIELD)                                                                                                  \
+    SIZE(float4)                                                                                                                    \
+    SIZE(Triangle)                                                                                                                  \
+    FIELD(Triangle, v0) FIELD(Triangle, v1) FIELD(Triangle, v2)                                                                     \
+    FIELD(Triangle, plane) FIELD(Triangle, material) FIELD(Triangle, shape) FIELD(Triangle, mates)                                   \
+    SIZE(Material)                                                                                                                  \
+    FIELD(Material, albedo) FIELD(Material, emission)                                                                               \
+    SIZE(Hit)                                                                                                                       \
+    FIELD(Hit, triangle) FIELD(Hit, disparity)                                                                                      \
+    SIZE(LightSample)                                                                                                               \
+    FIELD(LightSample, position) FIELD(LightSample, normal) FIELD(LightSample, emission)                                            \
+    SIZE(Camera)                                                                                                                    \
+    FIELD(Camera, origin) FIELD(Camera, corner) FIELD(Camera, step_x) FIELD(Camera, step_y)                                         \
+    FIELD(Camera, width) FIELD(Camera, height) FIELD(Camera, near_clip) FIELD(Camera, far_clip)
+// clang-format on
 
 #endif

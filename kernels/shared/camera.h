@@ -2,6 +2,10 @@
 #ifndef PENCIL_SHARED_CAMERA_H
 #define PENCIL_SHARED_CAMERA_H
 
+#ifndef __OPENCL_C_VERSION__
+#include "shared/types.h"
+#endif
+
 PENCIL_SHARED_BEGIN
 
 typedef struct Camera {

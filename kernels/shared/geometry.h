@@ -3,6 +3,10 @@
 #ifndef PENCIL_SHARED_GEOMETRY_H
 #define PENCIL_SHARED_GEOMETRY_H
 
+#ifndef __OPENCL_C_VERSION__
+#include "shared/types.h"
+#endif
+
 PENCIL_SHARED_BEGIN
 
 typedef struct Triangle {
