@@ -23,7 +23,7 @@ struct DeviceInfo {
 
 /// All devices of all platforms, in a stable order. Never throws for "none": see `no_device_advice`.
 std::vector<DeviceInfo> list_devices();
-/// What was found instead of a device and the usual causes (research F10: no writable cache directory, POCL_DEVICES, OCL_ICD_VENDORS).
+/// What was found instead of a device and the usual causes (no writable cache directory, POCL_DEVICES, OCL_ICD_VENDORS).
 std::string no_device_advice();
 
 /// Accumulated time of the launches that share a description [s].
@@ -50,7 +50,7 @@ public:
     /// Surfels per work-item in packet kernels (PENCIL_WIDTH): native float width on CPUs of 4, 16 on wider ones, 1 elsewhere;
     /// $PENCIL_WIDTH (1, 4, 8, 16) overrides it for tests.
     int packet_width() const;
-    /// Work-items per work-group for packet kernels; fixed, because PoCL generates code per local size (F12).
+    /// Work-items per work-group for packet kernels; fixed, because PoCL generates code per local size.
     std::size_t local_size() const;
 
     /// Bookkeeping of planned allocation. `reserve` throws MemoryError, saying what for and how much is free, before anything is allocated.

@@ -73,7 +73,7 @@ public:
     explicit ProgramCache(std::shared_ptr<Device> device) : device_(std::move(device)) {}
 
     /// The kernel `name` of a program made of `files` (in this order) with `defines`. Builds at first use: -cl-std=CL1.2 -Werror, no
-    /// fast-math (F2); a build failure is a DeviceError with device, options and the whole log. PENCIL_WIDTH is always defined.
+    /// fast-math; a build failure is a DeviceError with device, options and the whole log. PENCIL_WIDTH is always defined.
     Launch kernel(const std::string& name, const std::vector<std::string>& files, const Defines& defines = {});
 
     const std::shared_ptr<Device>& device() const { return device_; }

@@ -31,9 +31,4 @@ glm::dvec3 BounceSeries::tail_factor() const {
     return r / (glm::dvec3(1.0) - r);
 }
 
-bool BounceSeries::diverges() const {
-    const glm::dvec3 r = ratio();
-    return std::max({r.x, r.y, r.z}) >= kLargestRatio;
-}
-
 }  // namespace pencil

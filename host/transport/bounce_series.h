@@ -18,8 +18,6 @@ public:
     glm::dvec3 ratio() const;
     /// Sum of all orders that follow the last, relative to the last: r / (1 - r).
     glm::dvec3 tail_factor() const;
-    /// True if the orders do not decrease: albedo (nearly) 1 in a closed scene.
-    bool diverges() const;
 
     static constexpr double kLargestRatio = 0.999;
 

@@ -18,11 +18,11 @@ struct Features {
 Features detect_features(const FlatScene& scene, bool thesis_weights, int film_samples);
 Defines to_defines(const Features& features, int block);
 
-/// Kernels of one render: the program cache with the render's specialisation.
 /// Libraries of the kernels that test the visibility of packets of surfels.
 inline const std::vector<std::string> kPacketVisibility = {"packet",        "octahedral", "footprint",        "triangle",
                                                            "surfel_packet", "visibility", "packet_visibility"};
 
+/// Kernels of one render: the program cache with the render's specialisation.
 class Kernels {
 public:
     Kernels(std::shared_ptr<Device> device, const Features& features) : cache_(std::move(device)), features_(features) {}

@@ -50,7 +50,7 @@ public:
                    [&] { film_ = std::make_unique<Film>(kernels_, device_scene_, flat_.camera, scene_.sensor.filter, options_.seed); });
         clock_.run("light sample maps", [&] { make_lights(); });
         clock_.run("surface layers", [&] { layers_.add_surfaces(kernels_, device_scene_, flat_, *film_); });
-        bool dark = lights_.maps.count == 0 && !maps_emit_;
+        const bool dark = options_.bounces != 0 && lights_.maps.count == 0 && !maps_emit_;
         if (dark) result_.stats.warnings.push_back("the scene has no light: the image is black");
         if (!dark && options_.bounces != 0 && !clock_.stopped()) {
             light_film();
@@ -91,6 +91,7 @@ private:
     }
 
     void make_lights() {
+        if (options_.bounces == 0) return;  // emission only
         const std::vector<LightSample> samples = sample_lights(scene_, flat_, forms_, options_.light_samples, options_.seed);
         for (std::size_t i = 0; i < forms_.size(); ++i) maps_emit_ = maps_emit_ || (scene_.shapes[i].emits && forms_[i] == LightForm::maps);
         if (samples.empty()) return;

@@ -29,7 +29,7 @@ inline RasterTriangle raster_setup(float4 p0, float4 p1, float4 p2, float4 plane
 }
 
 /// Draws texels first..last of one row: u of texel x is u0 + x * du. `row` points at texel 0. Larger disparity wins; at equal disparity
-/// the lower triangle index, because triangles come in ascending order (documented tie, N17).
+/// the lower triangle index, because triangles come in ascending order (documented tie).
 inline void raster_row(const RasterTriangle *t, int triangle, float u0, float du, float v, int first, int last, global Hit *row) {
     float4 base = t->b * v + t->c;
     for (int x = first; x <= last; x += PENCIL_WIDTH) {

@@ -23,7 +23,7 @@ typedef struct Triangle {
 
 typedef struct Material {
     float4 albedo;    // rgb: diffuse reflectance in [0, 1]; w: 1 if both sides reflect, else 0
-    float4 emission;  // rgb: emitted radiance of the front side [W m^-2 sr^-1]; w: 1 if the pencil maps carry it (DESIGN 6.1.3 "emission")
+    float4 emission;  // rgb: emitted radiance of the front side [W m^-2 sr^-1]; w: 1 if the pencil maps carry it (thesis 6.1.3)
     //------------------------------------------------- 32 B
 } Material;
 
