@@ -12,8 +12,8 @@ inline bool plane_hides(const int *shown, const float4 *planes, const float4 *di
     return false;
 }
 
-/// One triangle of each group of mates that a footprint and the texels next to it show, with GROUP_INNER where the footprint itself shows
-/// it; -1 in the places left; CELL_MIXED in x if there are more than four groups.
+/// The first triangle of each group of mates that a footprint and the texels next to it show, ascending, with GROUP_INNER where the
+/// footprint itself shows one of them; -1 in the places left; CELL_MIXED in x if there are more than four groups.
 inline int4 groups_around(int tile, int2 texel, int n, global const Hit *hits, global const Triangle *triangles) {
     int group[4] = {-1, -1, -1, -1}, low[4] = {-1, -1, -1, -1}, high[4] = {-1, -1, -1, -1};
     int count = 0;
@@ -31,7 +31,16 @@ inline int4 groups_around(int tile, int2 texel, int n, global const Hit *hits, g
         if (count == 4) return (int4)(CELL_MIXED);
         low[count] = triangle - (triangles[triangle].mates & 0xff);
         high[count] = triangle + (triangles[triangle].mates >> 8);
-        group[count++] = triangle | inner;
+        group[count] = low[count] | inner;
+        for (int g = count++; g > 0 && low[g] < low[g - 1]; --g) {
+            int4 swap = (int4)(group[g], low[g], high[g], 0);
+            group[g] = group[g - 1];
+            low[g] = low[g - 1];
+            high[g] = high[g - 1];
+            group[g - 1] = swap.x;
+            low[g - 1] = swap.y;
+            high[g - 1] = swap.z;
+        }
     }
     return vload4(0, group);
 }

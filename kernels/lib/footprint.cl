@@ -29,3 +29,6 @@ inline Footprint packet_footprint(vfloat vx, vfloat vy, vfloat vz, int n) {
     f.fy = y - PACKET_TO_FLOAT(iy);
     return f;
 }
+
+/// First texel of the footprint of lane l; -1 is the gutter.
+inline int2 footprint_corner(Footprint f, int l) { return (int2)(LANE_INT(f.x, l), LANE_INT(f.y, l)) - PENCIL_GUTTER; }

@@ -15,6 +15,8 @@ typedef uint vuint;
 #define PACKET_TO_INT(v) convert_int(v)
 #define PACKET_TO_FLOAT(v) convert_float(v)
 #define PACKET_LANES (vint)(0)
+#define PACKET_LANE_BIT 1
+#define PACKET_BITS(mask) ((mask)&1)
 #define PACKET_LOAD_PAIRS(p, a, b) (a) = (p)[0], (b) = (p)[1]
 #else
 #define PACKET_JOIN2(a, b) a##b
@@ -43,4 +45,27 @@ typedef PACKET_JOIN(uint, PENCIL_WIDTH) vuint;
 #elif PENCIL_WIDTH == 16
 #define PACKET_LANES (vint)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15)
 #endif
+#define PACKET_LANE_BIT ((vint)(1) << PACKET_LANES)
+// The lanes of a mask as bits of an int, lane 0 lowest.
+inline int packet_bits(vint mask) {
+#if PENCIL_WIDTH == 16
+    int8 b8 = (mask & PACKET_LANE_BIT).lo | (mask & PACKET_LANE_BIT).hi;
+    int4 b4 = b8.lo | b8.hi;
+#elif PENCIL_WIDTH == 8
+    int4 b4 = (mask & PACKET_LANE_BIT).lo | (mask & PACKET_LANE_BIT).hi;
+#else
+    int4 b4 = mask & PACKET_LANE_BIT;
 #endif
+    int2 b2 = b4.lo | b4.hi;
+    return b2.x | b2.y;
+}
+#define PACKET_BITS(mask) packet_bits(mask)
+#endif
+
+/// The mask of lanes whose bits are set, and the lowest lane of bits that are not 0.
+#define PACKET_FROM_BITS(bits) PACKET_MASK(((vint)(bits)&PACKET_LANE_BIT) != 0)
+#define LOWEST_LANE(bits) (31 - clz((bits) & -(bits)))
+
+/// One lane of a packet in private memory.
+#define LANE_FLOAT(v, l) (((const float *)&(v))[l])
+#define LANE_INT(v, l) (((const int *)&(v))[l])

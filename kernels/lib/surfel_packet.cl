@@ -9,10 +9,6 @@ typedef struct SurfelPacket {
     vint plane;
 } SurfelPacket;
 
-/// One lane of a packet in private memory.
-#define LANE_FLOAT(v, l) (((const float *)&(v))[l])
-#define LANE_INT(v, l) (((const int *)&(v))[l])
-
 inline float4 surfel_position(const SurfelPacket *p, int l) {
     return (float4)(LANE_FLOAT(p->x, l), LANE_FLOAT(p->y, l), LANE_FLOAT(p->z, l), 0.0f);
 }

@@ -1,6 +1,11 @@
 // Visibility V(x, c) of thesis eq. (5.17) from the geometry map of c. No scene-dependent epsilon: the footprint agrees if it shows the
 // plane of the surfel and nothing that could hide it (fold_hits.cl). Otherwise planes and, at silhouettes, the triangles that the
-// footprint shows are tested against the segment from c to x exactly. Needs octahedral.cl, triangle.cl.
+// footprint shows are tested against the segment from c to x exactly. Needs octahedral.cl, triangle.cl. Rules for a footprint that its
+// cell does not settle, in this order:
+//   1. a triangle shown by the footprint or by a texel next to it, or a mate of that triangle in the same plane, that the segment crosses
+//      in front of x hides x: a wall of two triangles may show one and be crossed in the other;
+//   2. a texel that shows the plane of x itself shows x;
+//   3. otherwise x is hidden if texels of more than half the bilinear weight hide it (hiding_weight).
 
 /// A geometry map and what it shows.
 typedef struct VisibilityMap {
@@ -44,43 +49,19 @@ inline float hiding_weight(const VisibilityMap *map, int tile, int2 corner, floa
     return hidden;
 }
 
-/// Rule 1 and 2 of mixed_footprint_visible by the texels themselves, for footprints with more groups of triangles than are stored.
-inline int crowded_footprint(const VisibilityMap *map, int tile, int2 corner, float4 cop, float4 x, int own) {
-    int shown = 0;
+/// Rules 1 to 3 by the texels themselves, for a footprint with more groups of triangles about it than are stored. `corner` is its first
+/// texel (-1: gutter) in `tile`, (fx, fy) its bilinear weights.
+inline bool crowded_footprint_visible(const VisibilityMap *map, int tile, int2 corner, float fx, float fy, float4 cop, float4 x, int own) {
+    bool shown = false;
     for (int k = 0; k < 16; ++k) {
         int2 texel = oct_fold_texel(corner + (int2)(k % 4, k / 4) - 1, map->n);
         int triangle = map->hits[oct_atlas_index(tile, texel, map->n)].triangle;
         if (triangle < 0) continue;
         bool inner = k == 5 || k == 6 || k == 9 || k == 10;
-        if (map->triangles[triangle].plane == own) {
-            shown |= inner ? 1 : 0;
-        } else if (segment_crosses(map, triangle, cop, x)) {
-            return -1;
-        }
-    }
-    return shown;
-}
-
-/// The footprint that its cell does not settle: `corner` is its first texel (-1: gutter) in `tile`, `index` that texel in the atlas, (fx,
-/// fy) its bilinear weights. Rules, in this order:
-///   1. a triangle shown by the footprint or by a texel next to it, or a mate of that triangle in the same plane, that the segment crosses
-///      in front of x hides x: a wall of two triangles may show one and be crossed in the other;
-///   2. a texel that shows the plane of x itself shows x;
-///   3. otherwise x is hidden if texels of more than half the bilinear weight hide it (hiding_weight).
-inline bool mixed_footprint_visible(const VisibilityMap *map, int tile, int2 corner, int index, float fx, float fy, float4 cop, float4 x,
-                                    int own) {
-    int group[4];
-    vstore4(map->groups[index], 0, group);
-    int shown = 0;
-    if (group[0] == CELL_MIXED) shown = crowded_footprint(map, tile, corner, cop, x, own);
-    for (int g = 0; g < 4 && group[g] >= 0; ++g) {
-        int triangle = group[g] & ~GROUP_INNER;
-        if (map->triangles[triangle].plane == own) {
-            shown |= group[g] & GROUP_INNER;
-        } else if (segment_crosses(map, triangle, cop, x)) {
+        if (map->triangles[triangle].plane == own)
+            shown = shown || inner;
+        else if (segment_crosses(map, triangle, cop, x))
             return false;
-        }
     }
-    if (shown != 0) return shown > 0;
-    return hiding_weight(map, tile, corner, fx, fy, cop, x, own) <= 0.5f;
+    return shown || hiding_weight(map, tile, corner, fx, fy, cop, x, own) <= 0.5f;
 }
