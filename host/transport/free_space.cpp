@@ -1,8 +1,11 @@
 #include "transport/free_space.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstring>
 
 #include "transport/find_enclosing.h"
+#include "transport/find_sides.h"
 #include "transport/rasterize_octahedral.h"
 
 namespace pencil {
@@ -15,38 +18,109 @@ std::shared_ptr<GeometryMaps> rasterized(Kernels& kernels, const DeviceScene& sc
     return maps;
 }
 
-}  // namespace
-
-FreeSpace::FreeSpace(Kernels& kernels, const DeviceScene& scene, const FlatScene& flat, const GeometryMaps* lights, int map_size)
-    : scene_(scene), flat_(flat), map_size_(map_size) {
-    auto camera = rasterized(kernels, scene, {float4(glm::vec3(flat.camera.origin), 0.0F)}, map_size);
-    for (int shape : find_enclosing(kernels, scene, *camera)) rooms_.insert(shape);
-    if (lights)
-        for (int shape : find_enclosing(kernels, scene, *lights)) rooms_.insert(shape);
-    rooms_.erase(-1);
+std::shared_ptr<GeometryMaps> empty_maps(Kernels& kernels, int count, int n) {
+    return std::make_shared<GeometryMaps>(kernels.device(), std::vector<float4>(static_cast<std::size_t>(count)), n, "pencil");
 }
 
-std::vector<bool> FreeSpace::accepted(Kernels& kernels, const GeometryMaps& maps) const {
-    std::vector<bool> result;
-    for (int shape : find_enclosing(kernels, scene_, maps)) result.push_back(shape < 0 || rooms_.count(shape) > 0);
+/// Candidates of the next round, so that as many as are missing are likely to be accepted at the rate seen so far.
+int next_batch(int missing, int filled, int tried, int count) {
+    constexpr double kLowestRate = 0.05;  // bounds the work where hardly any candidate is accepted
+    const double rate = std::max(static_cast<double>(filled) / tried, kLowestRate);
+    return std::min(static_cast<int>(std::ceil(missing / rate)), count);
+}
+
+}  // namespace
+
+FreeSpace::FreeSpace(Kernels& kernels, const DeviceScene& scene, const FlatScene& flat, const Surfels& film, const GeometryMaps* lights,
+                     int map_size)
+    : scene_(scene), flat_(flat), map_size_(map_size), reached_(side_words(flat.materials.size()), 0U) {
+    auto camera = rasterized(kernels, scene, {float4(glm::vec3(flat.camera.origin), 0.0F)}, map_size);
+    for (int shape : find_enclosing(kernels, scene, *camera)) rooms_.insert(shape);
+    reach_film(film);
+    if (lights) {
+        for (int shape : find_enclosing(kernels, scene, *lights)) rooms_.insert(shape);
+        const std::vector<uint> sides = find_sides(kernels, scene, *lights);
+        for (std::size_t row = 0; row < sides.size(); row += reached_.size()) reach_row(&sides[row]);
+    }
+    rooms_.erase(-1);
+    any_reached_ = std::any_of(reached_.begin(), reached_.end(), [](uint word) { return word != 0; });
+}
+
+/// Reaches the sides that the film shows.
+void FreeSpace::reach_film(const Surfels& film) {
+    const std::size_t first = static_cast<std::size_t>(SURFEL_MATERIAL) * static_cast<std::size_t>(film.capacity);
+    for (const float bits : film.data.read(first, static_cast<std::size_t>(film.count))) {
+        int material = 0;
+        std::memcpy(&material, &bits, sizeof material);
+        if (material == PENCIL_NO_MATERIAL) continue;
+        const bool back = material < 0;
+        const auto shape = static_cast<std::size_t>(back ? ~material : material);
+        if (back && flat_.materials[shape].albedo.w == 0.0F) continue;
+        const std::size_t side = 2 * shape + (back ? 1 : 0);
+        reached_[side / 32] |= 1U << (side % 32);
+    }
+}
+
+/// Adds a row of find_sides; true if one of its sides is new.
+bool FreeSpace::reach_row(const uint* row) {
+    bool grown = false;
+    for (std::size_t w = 0; w < reached_.size(); ++w) {
+        grown = grown || (row[w] & ~reached_[w]) != 0;
+        reached_[w] |= row[w];
+    }
+    return grown;
+}
+
+bool FreeSpace::meets_reached(const uint* row) const {
+    if (!any_reached_) return true;  // neither film nor lights show a surface: there is nothing to lose
+    for (std::size_t w = 0; w < reached_.size(); ++w)
+        if ((row[w] & reached_[w]) != 0) return true;
+    return false;
+}
+
+std::vector<bool> FreeSpace::accepted(Kernels& kernels, const GeometryMaps& maps) {
+    const auto tiles = static_cast<std::size_t>(maps.count);
+    const std::vector<int> enclosing = find_enclosing(kernels, scene_, maps);
+    const std::vector<uint> sides = find_sides(kernels, scene_, maps);
+    std::vector<bool> outside(tiles), result(tiles, false);
+    for (std::size_t tile = 0; tile < tiles; ++tile) outside[tile] = enclosing[tile] < 0 || rooms_.count(enclosing[tile]) > 0;
+    // What one centre reaches may connect another, also an earlier one.
+    for (bool grown = true; grown;) {
+        grown = false;
+        for (std::size_t tile = 0; tile < tiles; ++tile) {
+            const uint* row = sides.data() + tile * reached_.size();
+            if (result[tile] || !outside[tile] || !meets_reached(row)) continue;
+            result[tile] = true;
+            grown = reach_row(row) || grown;
+        }
+    }
+    const auto solid = static_cast<int>(std::count(outside.begin(), outside.end(), false));
+    in_solids_ += solid;
+    unreached_ += static_cast<int>(std::count(result.begin(), result.end(), false)) - solid;
     return result;
 }
 
-std::shared_ptr<GeometryMaps> FreeSpace::create(Kernels& kernels, Sequence sequence, int count, int set, std::uint64_t seed) const {
+std::shared_ptr<GeometryMaps> FreeSpace::create(Kernels& kernels, Sequence sequence, int count, int set, std::uint64_t seed) {
     auto batch = rasterized(kernels, scene_, place_pencils(flat_, sequence, 0, count, set, seed), map_size_);
     std::vector<bool> keep = accepted(kernels, *batch);
     if (std::find(keep.begin(), keep.end(), false) == keep.end()) return batch;
 
-    auto maps = std::make_shared<GeometryMaps>(kernels.device(), std::vector<float4>(static_cast<std::size_t>(count)), map_size_, "pencil");
+    auto maps = empty_maps(kernels, count, map_size_);
     int filled = 0, tried = count;
     for (int round = 1;; ++round) {
-        for (int tile = 0; tile < batch->count; ++tile)
+        for (int tile = 0; tile < batch->count && filled < count; ++tile)
             if (keep[static_cast<std::size_t>(tile)]) maps->copy_tile(*batch, tile, filled++);
         if (filled == count) return maps;
-        batch = rasterized(kernels, scene_, place_pencils(flat_, sequence, tried, count - filled, set, seed), map_size_);
+        if (round == kMostRounds) break;
+        batch = rasterized(kernels, scene_,
+                           place_pencils(flat_, sequence, tried, next_batch(count - filled, filled, tried, count), set, seed), map_size_);
         tried += batch->count;
-        keep = round < kMostRounds ? accepted(kernels, *batch) : std::vector<bool>(static_cast<std::size_t>(batch->count), true);
+        keep = accepted(kernels, *batch);
     }
+    if (filled == 0) return batch;
+    auto fewer = empty_maps(kernels, filled, map_size_);
+    for (int tile = 0; tile < filled; ++tile) fewer->copy_tile(*maps, tile, tile);
+    return fewer;
 }
 
 }  // namespace pencil

@@ -1,40 +1,56 @@
-// Where pencils may lie: outside solids (thesis 6.1.1, "reject points inside objects").
+// Where pencils may lie: outside solids (thesis 6.1.1, "reject points inside objects"), and in the space that the film and the lights
+// share.
 #pragma once
 
 #include <set>
+#include <vector>
 
 #include "pencils/place_pencils.h"
 #include "transport/device_scene.h"
 #include "transport/features.h"
 #include "transport/pencil_set.h"
+#include "transport/surfels.h"
 
 namespace pencil {
 
-/// A centre is inside a solid if the backs of one shape fill more than half of what it sees, and that shape is not a room. A shape is a
-/// room if the camera or a light sample is inside it by the same measure. So closed and nearly closed meshes are solids; open meshes,
-/// single walls, and rooms modelled with their fronts outwards are not. A centre in a sealed void that sees only fronts is kept: it is
-/// harmless, because no surfel that is lit or seen has a line to it.
+/// Two rules, both decided by what a centre's own maps show:
+/// - A centre is inside a solid if the backs of one shape fill more than half of what it sees, and that shape is not a room. A shape is a
+///   room if the camera or a light sample is inside it by the same measure. So closed and nearly closed meshes are solids; open meshes,
+///   single walls, and rooms modelled with their fronts outwards are not.
+/// - A centre must see a reached side of a shape. Reached are the sides that the film or a light sample shows, and all that an accepted
+///   centre sees. A centre that meets none of them has no line to a surface that matters: it lies outside a closed room, or in a sealed
+///   void. This loses no light, since a centre that lights a surface point sees the side on which that point lies.
 class FreeSpace {
 public:
-    /// `lights` may be null.
-    FreeSpace(Kernels& kernels, const DeviceScene& scene, const FlatScene& flat, const GeometryMaps* lights, int map_size);
+    /// `film` gives the surfels of the image. `lights` may be null.
+    FreeSpace(Kernels& kernels, const DeviceScene& scene, const FlatScene& flat, const Surfels& film, const GeometryMaps* lights,
+              int map_size);
 
-    /// Geometry maps of `count` centres of set number `set`, rasterised and folded; centres inside solids are replaced by the next of the
-    /// sequence. After kMostRounds rounds what is left is kept as it is.
-    std::shared_ptr<GeometryMaps> create(Kernels& kernels, Sequence sequence, int count, int set, std::uint64_t seed) const;
+    /// Geometry maps of `count` centres of set number `set`, rasterised and folded; rejected centres are replaced by the next of the
+    /// sequence. If kMostRounds rounds do not find all, the set is smaller; if they find none, the last round's centres are taken.
+    std::shared_ptr<GeometryMaps> create(Kernels& kernels, Sequence sequence, int count, int set, std::uint64_t seed);
 
     /// Shapes found to be rooms.
     const std::set<int>& rooms() const { return rooms_; }
+    /// Candidates rejected so far by each rule.
+    int in_solids() const { return in_solids_; }
+    int unreached() const { return unreached_; }
 
     static constexpr int kMostRounds = 16;
 
 private:
-    std::vector<bool> accepted(Kernels& kernels, const GeometryMaps& maps) const;
+    void reach_film(const Surfels& film);
+    bool reach_row(const uint* row);
+    bool meets_reached(const uint* row) const;
+    std::vector<bool> accepted(Kernels& kernels, const GeometryMaps& maps);
 
     const DeviceScene& scene_;
     const FlatScene& flat_;
     int map_size_;
     std::set<int> rooms_;
+    std::vector<uint> reached_;  // bit set of sides, see find_sides.h
+    bool any_reached_ = false;
+    int in_solids_ = 0, unreached_ = 0;
 };
 
 }  // namespace pencil

@@ -31,7 +31,7 @@ int chunk_tiles(int n, int pencils) {
 
 }  // namespace
 
-PencilSolver::PencilSolver(Kernels& kernels, const DeviceScene& scene, const FreeSpace& free_space, const LightSet& lights,
+PencilSolver::PencilSolver(Kernels& kernels, const DeviceScene& scene, FreeSpace& free_space, const LightSet& lights,
                            const RenderOptions& options, StageClock& clock)
     : kernels_(kernels), scene_(scene), free_space_(free_space), lights_(lights), options_(options), clock_(clock) {}
 

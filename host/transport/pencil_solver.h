@@ -18,7 +18,7 @@ struct SetTimes {
 
 class PencilSolver {
 public:
-    PencilSolver(Kernels& kernels, const DeviceScene& scene, const FreeSpace& free_space, const LightSet& lights,
+    PencilSolver(Kernels& kernels, const DeviceScene& scene, FreeSpace& free_space, const LightSet& lights,
                  const RenderOptions& options, StageClock& clock);
 
     /// Set number `index` of the series: its size by --decay, its centres, geometry maps.
@@ -36,7 +36,7 @@ public:
 private:
     Kernels& kernels_;
     const DeviceScene& scene_;
-    const FreeSpace& free_space_;
+    FreeSpace& free_space_;
     const LightSet& lights_;
     const RenderOptions& options_;
     StageClock& clock_;

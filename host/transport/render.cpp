@@ -83,10 +83,11 @@ private:
 
     void explain_decisions() { result_.stats.explain = explain(scene_, options_, forms_, kernels_.features(), *kernels_.device()); }
 
-    void explain_rooms(const FreeSpace& free_space) {
+    void explain_placement(const FreeSpace& free_space) {
         std::string rooms;
         for (int shape : free_space.rooms()) rooms += (rooms.empty() ? "" : ", ") + scene_.shapes[static_cast<std::size_t>(shape)].id;
-        result_.stats.explain.push_back("placement: pencils are rejected where the backs of one shape fill more than half of the view" +
+        result_.stats.explain.push_back("placement: rejected " + std::to_string(free_space.in_solids()) + " centres inside solids and " +
+                                        std::to_string(free_space.unreached()) + " that see no surface which film, lights or others see" +
                                         (rooms.empty() ? std::string() : "; rooms, because the camera or a light is inside: " + rooms));
     }
 
@@ -115,10 +116,9 @@ private:
         if (!wanted(order + 1) || clock_.stopped()) return;
         std::unique_ptr<FreeSpace> free_space;
         clock_.run("pencil maps", [&] {
-            free_space =
-                std::make_unique<FreeSpace>(kernels_, device_scene_, flat_, lights_.maps.count > 0 ? &lights_.maps : nullptr, options_.map);
+            free_space = std::make_unique<FreeSpace>(kernels_, device_scene_, flat_, film_->surfels(),
+                                                     lights_.maps.count > 0 ? &lights_.maps : nullptr, options_.map);
         });
-        explain_rooms(*free_space);
         PencilSolver solver(kernels_, device_scene_, *free_space, lights_, options_, clock_);
         PencilSet set = solver.create(0);
         solver.fill(set, nullptr, maps_emit_, !maps_emit_, true);
@@ -130,10 +130,11 @@ private:
             if (index == 0) count_blind();
             finish_bounce(order + 1, set.maps->count, seconds);
             clock_.set_fraction(progress());
-            if (clock_.stopped() || !wanted(order + 2) || converged(index)) return;
+            if (clock_.stopped() || !wanted(order + 2) || converged(index)) break;
             // Emitters of the other form join the maps after one bounce: from there on both carry order 1.
             set = next_set(solver, set, index + 1, order == 0 && lights_.maps.count > 0);
         }
+        explain_placement(*free_space);
     }
 
     bool wanted(int reflections) const { return options_.bounces < 0 || reflections <= options_.bounces; }
