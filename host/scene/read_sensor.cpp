@@ -5,7 +5,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
-#include <limits>
 
 #include "scene/text.h"
 
@@ -51,7 +50,8 @@ ReconstructionFilter read_filter(XmlSource& source, const NestedObject& object) 
 
 int read_size(Properties& p, const std::string& name, int absent) {
     const long long size = p.integer(name, absent);
-    if (size < 1 || size > std::numeric_limits<int>::max()) p.fail(name, name + " must be at least 1 pixel");
+    constexpr long long largest = 1'000'000;  // pixels, as of --resolution
+    if (size < 1 || size > largest) p.fail(name, name + " must be from 1 to " + std::to_string(largest) + " pixels");
     return static_cast<int>(size);
 }
 

@@ -47,8 +47,9 @@ fs::path path_inside(const fs::path& folder, const std::string& name, const std:
         throw SceneError(where, "file name " + in_quotes(name) + " is refused: \"..\" may leave the scene's folder");
     }
     std::error_code error;
-    const fs::path root = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, error);
-    const fs::path target = error ? fs::path() : fs::weakly_canonical(folder / path, error);
+    // From the canonical folder on, so that a file that does not exist is still an absolute path.
+    const fs::path root = fs::canonical(folder.empty() ? fs::path(".") : folder, error);
+    const fs::path target = error ? fs::path() : fs::weakly_canonical(root / path, error);
     if (error) throw SceneError(where, "cannot follow " + in_quotes(name) + ": " + error.message());
     if (std::mismatch(root.begin(), root.end(), target.begin(), target.end()).first != root.end()) {
         throw SceneError(where, "file name " + in_quotes(name) + " is refused: it is a link that leaves the scene's folder");

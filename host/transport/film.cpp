@@ -12,8 +12,9 @@ namespace {
 constexpr std::size_t kStripBytes = std::size_t{96} << 20;
 /// Surfels are numbered through square blocks of pixels, so that neighbouring surfels see neighbouring things.
 constexpr int kNumberedBlock = 8;
-/// Rows per work-item of the film rasteriser.
+/// Rows per work-item of the film rasteriser, at least. Every band looks at every triangle, so their number is bounded.
 constexpr int kBandRows = 8;
+constexpr int kMostBands = 256;
 /// Surfels per pixel that the estimate assumes, and rgb layers held at once.
 constexpr double kSurfelsPerPixel = 1.2;
 constexpr int kLayersHeld = 4;
@@ -59,10 +60,9 @@ Film::Film(Kernels& kernels, const DeviceScene& scene, const Camera& camera, con
 }
 
 void Film::rasterize(Kernels& kernels, const DeviceScene& scene, int first_row, int rows) {
-    const int bands = (rows + kBandRows - 1) / kBandRows;
+    const int band = std::max(kBandRows, (rows + kMostBands - 1) / kMostBands), bands = (rows + band - 1) / band;
     kernels.get("rasterize_film", {"packet", "octahedral", "triangle", "raster"})
-        .args(scene.triangles, scene.triangle_count, scene.planes, camera_, scene.to_film, offsets_, samples_, first_row, rows, kBandRows,
-              hits_)
+        .args(scene.triangles, scene.triangle_count, scene.planes, camera_, scene.to_film, offsets_, samples_, first_row, rows, band, hits_)
         .run(static_cast<std::size_t>(bands) * static_cast<std::size_t>(samples_), "rasterize film", 1);
 }
 

@@ -18,8 +18,8 @@ struct SetTimes {
 
 class PencilSolver {
 public:
-    PencilSolver(Kernels& kernels, const DeviceScene& scene, FreeSpace& free_space, const LightSet& lights,
-                 const RenderOptions& options, StageClock& clock);
+    PencilSolver(Kernels& kernels, const DeviceScene& scene, FreeSpace& free_space, const LightSet& lights, const RenderOptions& options,
+                 StageClock& clock);
 
     /// Set number `index` of the series: its size by --decay, its centres, geometry maps.
     int set_size(int index) const;

@@ -10,7 +10,7 @@ namespace {
 spdlog::logger& logger() {
     static const std::shared_ptr<spdlog::logger> instance = [] {
         auto made = std::make_shared<spdlog::logger>("pencil", std::make_shared<spdlog::sinks::stderr_color_sink_mt>());
-        made->set_pattern("%^%l%$: %v");
+        made->set_pattern("pencil: %^%l%$: %v");
         made->flush_on(spdlog::level::info);
         return made;
     }();

@@ -167,11 +167,12 @@ TEST_F(BadScenes, Sensors) {
     const auto film = [&](const std::string& name, const std::string& value) {
         return sensor("<film type=\"hdrfilm\"><integer name=\"" + name + "\" value=\"" + value + "\"/></film>");
     };
-    expect_error(film("width", "0"), 4, "width must be at least 1 pixel");
-    expect_error(film("height", "-1"), 4, "height must be at least 1 pixel");
-    expect_error(film("width", "2147483648"), 4, "width must be");
+    expect_error(film("width", "0"), 4, "width must be from 1 to 1000000 pixels");
+    expect_error(film("height", "-1"), 4, "height must be from 1 to 1000000 pixels");
+    expect_error(film("width", "1000001"), 4, "width must be from 1 to");
+    expect_error(film("width", "99999999999"), 4, "width must be from 1 to");
     expect_error(film("width", "x"), 4, "is not an integer");
-    EXPECT_NE(load_text("<scene version=\"3.0.0\">" + film("width", "1000000000") + "</scene>").sensor.width, 0);
+    EXPECT_NE(load_text("<scene version=\"3.0.0\">" + film("width", "1000000") + "</scene>").sensor.width, 0);
     expect_error(sensor("<transform name=\"to_world\"><scale x=\"2\"/></transform>"), 4, "may only rotate, mirror and move");
     expect_error(sensor("<transform name=\"to_world\"><scale x=\"0\"/></transform>"), 4, "singular");
 }
@@ -198,6 +199,16 @@ TEST_F(BadScenes, Colours) {
                  "single precision");
     EXPECT_EQ(error_of_body("<shape type=\"cube\"><emitter type=\"area\"><rgb name=\"radiance\" value=\"1e30\"/></emitter></shape>"), "");
     expect_error("<emitter type=\"point\">\n<point name=\"position\" value=\"0\"/><transform name=\"to_world\"/></emitter>", 4, "not both");
+}
+
+/// A scene named without a folder, as from its own folder on the command line.
+TEST_F(BadScenes, MissingMeshBesideAFileInTheWorkingFolder) {
+    write("scene.xml", in_scene("<shape type=\"obj\"><string name=\"filename\" value=\"none.obj\"/></shape>"));
+    const std::filesystem::path before = std::filesystem::current_path();
+    std::filesystem::current_path(folder_);
+    const std::string message = message_of("scene.xml");
+    std::filesystem::current_path(before);
+    expect_part(message, "scene.xml:3: \"none.obj\" does not exist");
 }
 
 TEST_F(BadScenes, MeshFiles) {
