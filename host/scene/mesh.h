@@ -16,12 +16,13 @@ struct Mesh {
     std::vector<glm::dvec3> positions;
     std::vector<glm::dvec3> normals;  // as many as positions, or none; a zero vector means none for that vertex
     std::vector<glm::uvec3> triangles;
+    bool smooth = false;  // placing the mesh computes its vertex normals if it has none
 };
 
 struct Placement {
     glm::dmat4 to_world{1.0};
     bool flip_normals = false;  // turns front to back
-    bool face_normals = false;  // drops the mesh's normals
+    bool face_normals = false;  // drops the mesh's normals, given or computed
 };
 
 constexpr std::size_t max_triangles = std::size_t{1} << 26;  // of a scene: beyond any that fits a device's memory with its maps

@@ -1,4 +1,5 @@
-// Placement: positions by the transform, normals by its inverse transpose, winding so that it agrees with the normals.
+// Placement: positions by the transform, given normals by its inverse transpose, winding so that it agrees with them. Computed normals come
+// from the placed triangles.
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -6,6 +7,7 @@
 #include <limits>
 
 #include "scene/mesh.h"
+#include "scene/vertex_normals.h"
 #include "util/error.h"
 
 namespace pencil {
@@ -22,31 +24,29 @@ glm::dvec3 unit_or_zero(glm::dvec3 v) {
 class Placer {
 public:
     Placer(const Mesh& mesh, const Placement& placement, const std::string& where, Scene& scene)
-        : mesh_(mesh),
-          placement_(placement),
-          where_(where),
-          scene_(scene),
-          has_normals_(!mesh.normals.empty() && !placement.face_normals),
-          placed_(mesh.positions.size(), not_placed) {
+        : mesh_(mesh), placement_(placement), where_(where), scene_(scene), placed_(mesh.positions.size(), not_placed) {
         const glm::dmat3 linear(placement.to_world);
         const glm::dmat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]), glm::cross(linear[0], linear[1]));
         mirrors_ = glm::dot(linear[0], cofactors[0]) < 0.0;
-        // The cofactor matrix is the inverse transpose times the determinant; its sign is undone here, its scale by normalising.
-        normal_to_world_ = cofactors * (mirrors_ ? -1.0 : 1.0) * (placement.flip_normals ? -1.0 : 1.0);
         world_.reserve(mesh.positions.size());
         for (const glm::dvec3& position : mesh.positions) world_.push_back(to_world(position));
+        if (placement.face_normals) return;
+        // The cofactor matrix is the inverse transpose times the determinant; its sign is undone here, its scale by normalising.
+        transform_normals(cofactors * (mirrors_ ? -1.0 : 1.0) * (placement.flip_normals ? -1.0 : 1.0));
+        if (mesh.normals.empty() && mesh.smooth) compute_normals();
     }
 
     PlacementCounts place(std::uint32_t shape) {
         PlacementCounts counts;
         for (glm::uvec3 corners : mesh_.triangles) {
-            if (mirrors_ != placement_.flip_normals) std::swap(corners.y, corners.z);
+            if (turns()) std::swap(corners.y, corners.z);
             const glm::dvec3 normal = face_normal(corners);
             if (normal == glm::dvec3(0.0)) {
                 ++counts.dropped;
                 continue;
             }
-            if (has_normals_ && glm::dot(normal, normal_at(corners.x) + normal_at(corners.y) + normal_at(corners.z)) < 0.0) {
+            if (!mesh_.normals.empty() && !normals_.empty() &&
+                glm::dot(normal, normals_[corners.x] + normals_[corners.y] + normals_[corners.z]) < 0.0) {
                 std::swap(corners.y, corners.z);
                 ++counts.turned;
             }
@@ -67,7 +67,22 @@ private:
         return p;
     }
 
-    glm::dvec3 normal_at(std::uint32_t i) const { return unit_or_zero(normal_to_world_ * mesh_.normals[i]); }
+    bool turns() const { return mirrors_ != placement_.flip_normals; }
+
+    void transform_normals(const glm::dmat3& normal_to_world) {
+        normals_.reserve(mesh_.normals.size());
+        for (const glm::dvec3& normal : mesh_.normals) normals_.push_back(unit_or_zero(normal_to_world * normal));
+    }
+
+    /// Leaves the mesh without normals if they would change nothing, as for single polygons.
+    void compute_normals() {
+        constexpr double unseen = 1e-6;  // single precision
+        std::vector<glm::uvec3> triangles = mesh_.triangles;
+        if (turns())
+            for (glm::uvec3& corners : triangles) std::swap(corners.y, corners.z);
+        normals_ = smooth_normals(world_, triangles);
+        if (are_face_normals(normals_, world_, triangles, unseen)) normals_.clear();
+    }
 
     /// Zero if the area is zero up to the rounding of the edges' coordinates.
     glm::dvec3 face_normal(glm::uvec3 corners) const {
@@ -84,7 +99,7 @@ private:
         if (placed_[i] == not_placed) {
             placed_[i] = static_cast<std::uint32_t>(scene_.positions.size());
             scene_.positions.push_back(world_[i]);
-            scene_.normals.push_back(has_normals_ ? glm::vec3(normal_at(i)) : glm::vec3(0.0F));
+            scene_.normals.push_back(normals_.empty() ? glm::vec3(0.0F) : glm::vec3(normals_[i]));
         }
         return placed_[i];
     }
@@ -93,11 +108,9 @@ private:
     const Placement& placement_;
     const std::string& where_;
     Scene& scene_;
-    bool has_normals_;
     bool mirrors_ = false;
-    glm::dmat3 normal_to_world_{1.0};
     std::vector<std::uint32_t> placed_;
-    std::vector<glm::dvec3> world_;
+    std::vector<glm::dvec3> world_, normals_;  // of the mesh's vertices, in the world; no normals: none
 };
 
 }  // namespace

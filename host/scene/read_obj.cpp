@@ -1,4 +1,5 @@
-// One pass over the lines. An index may only name what stands above it; the pair (position, normal) of a corner becomes one vertex.
+// One pass over the lines. An index may only name what stands above it. Corners with the same position and normal become one vertex;
+// where no normal is given, those with the same position and texture coordinate, so that seams of the texture stay edges (Mitsuba's rule).
 #include "scene/read_obj.h"
 
 #include <cmath>
@@ -28,6 +29,7 @@ public:
             throw SceneError(name_, "no vertex in the whole file: is it an OBJ file?");
         }
         if (!any_normal_) mesh_.normals.clear();
+        mesh_.smooth = true;
         return std::move(mesh_);
     }
 
@@ -100,11 +102,12 @@ private:
             rest.remove_prefix(slash + 1);
         }
         const std::size_t position = index(part[0], positions_.size(), "vertex", word);
-        if (!part[1].empty()) index(part[1], texture_coordinates_, "texture coordinate", word);
+        const std::size_t texture = part[1].empty() ? 0 : index(part[1], texture_coordinates_, "texture coordinate", word) + 1;
         const bool has_normal = !part[2].empty();
         const std::size_t normal = has_normal ? index(part[2], normals_.size(), "normal", word) + 1 : 0;
         const auto [place, is_new] =
-            vertices_.emplace((static_cast<std::uint64_t>(position) << 32) | normal, static_cast<std::uint32_t>(mesh_.positions.size()));
+            vertices_[has_normal ? 1 : 0].emplace((static_cast<std::uint64_t>(position) << 32) | (has_normal ? normal : texture),
+                                                  static_cast<std::uint32_t>(mesh_.positions.size()));
         if (is_new) {
             mesh_.positions.push_back(positions_[position]);
             mesh_.normals.push_back(has_normal ? normals_[normal - 1] : glm::dvec3(0.0));
@@ -131,7 +134,7 @@ private:
     std::size_t line_ = 1;
     std::vector<glm::dvec3> positions_, normals_;
     std::size_t texture_coordinates_ = 0;
-    std::unordered_map<std::uint64_t, std::uint32_t> vertices_;
+    std::unordered_map<std::uint64_t, std::uint32_t> vertices_[2];  // without and with a normal, by position and texture or normal index
     bool any_normal_ = false;
     Mesh mesh_;
 };

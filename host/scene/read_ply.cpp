@@ -31,6 +31,7 @@ public:
             }
         }
         check_indices();
+        mesh_.smooth = true;
         return std::move(mesh_);
     }
 
