@@ -29,7 +29,8 @@ inline void add_light_sample(const SurfelPacket *s, const VisibilityMap *map, gl
 /// exact on its axis. It is bounded where r -> 0 and tends to the printed form as A does to 0. Point lights have A = 0 and cos_l = 1.
 kernel void light_surfels(global const float *surfels, int capacity, int surfel_count, global const LightSample *samples, int sample_count,
                           global const float4 *cops, global const int2 *cells, global const int4 *groups, global const Hit *hits,
-                          global const Triangle *triangles, global const float4 *planes, int n, global float *outgoing, int accumulate) {
+                          global const Triangle *triangles, global const float4 *planes, int n, int stride, int group, global float *outgoing,
+                          int accumulate) {
     int first = get_global_id(0) * PENCIL_BLOCK * PENCIL_WIDTH;
     if (first >= surfel_count) return;
     VisibilityMap map = {cells, groups, hits, triangles, planes, n};
@@ -39,10 +40,12 @@ kernel void light_surfels(global const float *surfels, int capacity, int surfel_
         packets[p] = load_surfels(surfels, capacity, first + p * PENCIL_WIDTH);
         rgb[p][0] = rgb[p][1] = rgb[p][2] = 0.0f;
     }
-    for (int i = 0; i < sample_count; ++i) {
+    for (int i = first / group % stride; i < sample_count; i += stride) {
         float4 cop = (float4)(cops[i].xyz, 0.0f);
         for (int p = 0; p < PENCIL_BLOCK; ++p) add_light_sample(packets + p, &map, samples + i, cop, i, rgb[p]);
     }
+    float scale = stride;
     for (int p = 0; p < PENCIL_BLOCK; ++p)
-        scatter_irradiance(surfels, capacity, first + p * PENCIL_WIDTH, rgb[p][0], rgb[p][1], rgb[p][2], outgoing, accumulate);
+        scatter_irradiance(surfels, capacity, first + p * PENCIL_WIDTH, scale * rgb[p][0], scale * rgb[p][1], scale * rgb[p][2], outgoing,
+                           accumulate);
 }

@@ -19,7 +19,7 @@ Defines to_defines(const Features& features, int block) {
 
 Launch Kernels::get(const std::string& name, const std::vector<std::string>& libraries) {
     std::vector<std::string> files = {"shared/types.h",  "shared/atlas.h", "shared/geometry.h", "shared/camera.h",
-                                      "shared/surfel.h", "shared/light.h", "shared/film.h"};
+                                      "shared/surfel.h", "shared/light.h", "shared/film.h",   "shared/bvh.h",      "shared/surface_pencil.h"};
     for (const std::string& library : libraries) files.push_back("lib/" + library + ".cl");
     files.push_back(name + ".cl");
     return cache_.kernel(name, files, to_defines(features_, block()));

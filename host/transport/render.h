@@ -13,12 +13,17 @@
 
 namespace pencil {
 
+enum class Method { line, surface };
 enum class Initial { direct, emission, automatic };
 enum class Placement { random, lds };
 enum class Weights { dpdf, thesis };
 enum class Iterate { sets, fixed };
 
 struct RenderOptions {
+    Method method = Method::line;
+    int passes = 1;
+    int light_stride = 8, film_map = 16, coarsest = 8, finest = 1;
+    float most_error = 0.5F, smooth = 0.5F;
     int pencils = 128;
     double decay = 0.7;  // size of the next pencil set relative to the last
     int bounces = -1;    // reflections at most, direct light included; -1: until the tolerance
@@ -60,6 +65,7 @@ struct RenderStats {
     std::vector<StageTime> stages;  // in order of execution; kernel builds are a stage of their own
     std::vector<BounceReport> bounces;
     double residual = 0;       // estimated radiance of the bounces that were not computed, relative to the image's mean
+    double estimated_error = 0;  // relMSE of the beauty, from the spread of the passes; infinite for one pass
     bool tail_closed = false;  // the residual was added as a geometric tail
     std::uint64_t device_peak_bytes = 0;
     std::uint64_t triangles = 0, film_surfels = 0;

@@ -14,6 +14,7 @@ typedef uint vuint;
 #define PACKET_ANY(mask) (mask)
 #define PACKET_TO_INT(v) convert_int(v)
 #define PACKET_TO_FLOAT(v) convert_float(v)
+#define PACKET_AS_UINT(v) as_uint(v)
 #define PACKET_LANES (vint)(0)
 #define PACKET_LANE_BIT 1
 #define PACKET_BITS(mask) ((mask)&1)
@@ -30,6 +31,7 @@ typedef PACKET_JOIN(uint, PENCIL_WIDTH) vuint;
 #define PACKET_ANY(mask) any(mask)
 #define PACKET_TO_INT(v) PACKET_JOIN(convert_int, PENCIL_WIDTH)(v)
 #define PACKET_TO_FLOAT(v) PACKET_JOIN(convert_float, PENCIL_WIDTH)(v)
+#define PACKET_AS_UINT(v) PACKET_JOIN(as_uint, PENCIL_WIDTH)(v)
 // Splits PENCIL_WIDTH pairs of ints into their first and second members.
 #if PENCIL_WIDTH == 16
 #define PACKET_LOAD_PAIRS(p, a, b) (a) = (vint)(vload16(0, p).even, vload16(1, p).even), (b) = (vint)(vload16(0, p).odd, vload16(1, p).odd)
@@ -69,3 +71,6 @@ inline int packet_bits(vint mask) {
 /// One lane of a packet in private memory.
 #define LANE_FLOAT(v, l) (((const float *)&(v))[l])
 #define LANE_INT(v, l) (((const int *)&(v))[l])
+
+/// Random bits to [0, 1): the upper 24.
+#define PACKET_UNIT(bits) (PACKET_TO_FLOAT((bits) >> 8u) * 0x1.0p-24f)

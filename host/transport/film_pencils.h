@@ -1,0 +1,43 @@
+// Film pencils: surface pencils on a lattice of pixels, refined where their irradiance may not be reused, and the film lit by them.
+#pragma once
+
+#include "transport/film.h"
+#include "transport/surface_solver.h"
+
+namespace pencil {
+
+struct FilmLattice {
+    int coarsest = 8, finest = 1;  // spacing [pixels]
+    float most_error = 0.5F;       // reuse_error
+    int map = 16;
+    float smooth = 0.5F;
+};
+
+class FilmPencils {
+public:
+    FilmPencils(Kernels& kernels, const Film& film, const FilmLattice& lattice);
+
+    /// The pencils of the coarsest lattice, placed and not yet gathered.
+    SurfacePencils& pencils() { return pencils_; }
+
+    /// Gathers, refines, gathers.
+    void refine(SurfaceSolver& solver);
+
+    /// Adds reflected irradiance to the surfels of the film.
+    void project(Buffer<float>& outgoing);
+
+private:
+    void place(const std::vector<int>& pixels, int spacing);
+
+    Kernels& kernels_;
+    const Film& film_;
+    FilmLattice lattice_;
+    std::vector<unsigned char> counts_;
+    std::vector<int> first_;
+    std::vector<int> at_;
+    Buffer<int> pencil_at_;
+    SurfacePencils pencils_;
+    int gathered_ = 0;
+};
+
+}  // namespace pencil

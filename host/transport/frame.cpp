@@ -1,0 +1,73 @@
+#include "transport/frame.h"
+
+#include <algorithm>
+
+#include "transport/light_surfels.h"
+#include "transport/rasterize_octahedral.h"
+
+namespace pencil {
+
+namespace {
+
+/// Tiles of light samples are finer than pencil maps, because shadow edges are seen directly, but not finer than this.
+constexpr int kLightMapFactor = 4;
+constexpr int kLargestLightMap = 256;
+
+int light_map_size(int map) { return std::max(map, std::min(kLightMapFactor * map, kLargestLightMap)); }
+
+}  // namespace
+
+RenderContext::RenderContext(const Scene& scene_to_render, const RenderOptions& render_options, std::shared_ptr<Device> device,
+                             const Progress& progress)
+    : scene(scene_to_render),
+      options(render_options),
+      forms(choose_light_forms(scene, options.initial == Initial::direct, options.initial == Initial::emission)),
+      flat(flatten(scene, forms, options.width, options.height)),
+      kernels(device, detect_features(flat, options.weights == Weights::thesis, options.film_samples)),
+      clock(device, progress),
+      device_scene(device, flat) {
+    for (std::size_t i = 0; i < forms.size(); ++i) maps_emit = maps_emit || (scene.shapes[i].emits && forms[i] == LightForm::maps);
+}
+
+Frame::Frame(RenderContext& context, const std::vector<std::string>& aovs, std::uint64_t seed) : context_(context), layers_(aovs) {
+    Kernels& kernels = context.kernels;
+    context.clock.run("film geometry", [&] {
+        film_ = std::make_unique<Film>(kernels, context.device_scene, context.flat.camera, context.scene.sensor.filter, seed);
+    });
+    context.clock.run("light sample maps", [&] { make_lights(seed); });
+    context.clock.run("surface layers", [&] { layers_.add_surfaces(kernels, context.device_scene, context.flat, *film_); });
+}
+
+void Frame::make_lights(std::uint64_t seed) {
+    const RenderOptions& options = context_.options;
+    if (options.bounces == 0) return;  // emission only
+    const std::vector<LightSample> samples = sample_lights(context_.scene, context_.flat, context_.forms, options.light_samples, seed);
+    if (samples.empty()) return;
+    lights_ = LightSet(context_.kernels.device(), samples, light_map_size(options.map));
+    rasterize_octahedral(context_.kernels, context_.device_scene, lights_.maps, 0, lights_.maps.count);
+}
+
+void Frame::add_direct() {
+    outgoing_ = surfel_rgb(context_.kernels.device(), film_->surfels().capacity, "film radiance");
+    if (lights_.maps.count == 0) return;
+    context_.clock.run("direct light", [&] {
+        light_surfels(context_.kernels, context_.device_scene, film_->surfels(), lights_, outgoing_, "direct light to film");
+    });
+    if (!context_.maps_emit) finish_bounce(1, 0, 0);
+}
+
+void Frame::finish_bounce(int order, int pencils, double projection_seconds) {
+    context_.clock.run("resolve film", [&] {
+        std::vector<float> pixels = film_->resolve(context_.kernels, outgoing_);
+        BounceReport report;
+        report.order = order;
+        report.pencils = pencils;
+        report.mean = mean_rgb(pixels);
+        report.projection_seconds = projection_seconds;
+        context_.stats.bounces.push_back(report);
+        layers_.add_bounce(order, std::move(pixels));
+    });
+    outgoing_.fill_zero();
+}
+
+}  // namespace pencil

@@ -1,0 +1,149 @@
+#include "transport/surface_solver.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pencils/low_discrepancy.h"
+#include "transport/emit_surfels.h"
+#include "transport/light_surfels.h"
+
+namespace pencil {
+
+namespace {
+
+/// Texels that are worked on at once: bounds memory and the length of a launch.
+constexpr int kChunkSurfels = 1 << 20;
+/// Pencils further apart than this in their normals do not stand for each other (REUSE_LEAST_COSINE is the looser bound of use).
+constexpr float kAlike = 0.7F;
+/// A pencil is used up to this many spacings away.
+constexpr float kReach = 1.4F;
+constexpr int kMostRounds = 8;
+constexpr int kMostIterations = 512;
+
+double reflecting_area(const FlatScene& flat) {
+    double area = 0;
+    for (const Triangle& t : flat.triangles) {
+        const glm::dvec3 a(t.v0), b(t.v1), c(t.v2);
+        area += 0.5 * glm::length(glm::cross(b - a, c - a));
+    }
+    return area;
+}
+
+}  // namespace
+
+SurfaceSolver::SurfaceSolver(Kernels& kernels, const DeviceScene& scene, const FlatScene& flat, const DeviceBvh& bvh, const LightSet& lights,
+                             const RenderOptions& options, StageClock& clock, std::uint64_t seed)
+    : kernels_(kernels), scene_(scene), flat_(flat), bvh_(bvh), lights_(lights), options_(options), clock_(clock), seed_(static_cast<uint>(hash64(seed + 17) >> 32)) {
+    spacing_ = static_cast<float>(std::sqrt(0.7 * reflecting_area(flat) / options.pencils));
+}
+
+/// Surfels that no placed pencil stands for, thinned to the spacing.
+std::vector<int> SurfaceSolver::choose(const Surfels& surfels, int most) {
+    const auto field = [&](int f) {
+        return surfels.data.read(static_cast<std::size_t>(f) * static_cast<std::size_t>(surfels.capacity), static_cast<std::size_t>(surfels.count));
+    };
+    const std::vector<float> x = field(SURFEL_X), y = field(SURFEL_Y), z = field(SURFEL_Z), nx = field(SURFEL_NX), ny = field(SURFEL_NY),
+                             nz = field(SURFEL_NZ);
+    std::vector<int> chosen;
+    const auto key = [&](float v) { return static_cast<int>(std::floor(v / spacing_)); };
+    const std::size_t size = x.size(), stride = 7919;
+    for (std::size_t k = 0, i = 0; k < size && static_cast<int>(chosen.size()) < most; ++k, i = (i + stride) % size) {
+        const glm::vec3 p(x[i], y[i], z[i]), n(nx[i], ny[i], nz[i]);
+        if (n == glm::vec3(0)) continue;
+        bool covered = false;
+        for (int dz = -1; dz <= 1 && !covered; ++dz)
+            for (int dy = -1; dy <= 1 && !covered; ++dy)
+                for (int dx = -1; dx <= 1 && !covered; ++dx) {
+                    const auto cell = cells_.find({key(p.x) + dx, key(p.y) + dy, key(p.z) + dz});
+                    if (cell == cells_.end()) continue;
+                    for (std::size_t other : cell->second)
+                        covered = covered || (glm::distance(glm::vec3(placed_[other].position), p) < spacing_ &&
+                                              glm::dot(glm::vec3(placed_[other].normal), n) > kAlike);
+                }
+        if (covered) continue;
+        SurfacePencil pencil{};
+        pencil.position = float4(p, 0);
+        pencil.normal = float4(n, kReach * spacing_);
+        cells_[{key(p.x), key(p.y), key(p.z)}].push_back(placed_.size());
+        placed_.push_back(pencil);
+        chosen.push_back(static_cast<int>(i));
+    }
+    return chosen;
+}
+
+void SurfaceSolver::gather(SurfacePencils& pencils, int first, int count, bool bounces) {
+    const int chunk = std::max(kChunkSurfels / pencils.texels(), 1);
+    for (int at = first; at < first + count; at += chunk) {
+        const int part = std::min(chunk, first + count - at);
+        const int needed = surfel_capacity(part * pencils.texels());
+        if (surfels_.capacity < needed) {
+            surfels_ = Surfels(kernels_.device(), needed, "surfels of surface pencils");
+            distances_ = Buffer<float>(kernels_.device(), static_cast<std::size_t>(needed), "distances of surface pencils");
+            outgoing_ = surfel_rgb(kernels_.device(), needed, "radiance to surface pencils");
+        }
+        trace_hemispheres(kernels_, scene_, bvh_, pencils, at, part, seed_, surfels_, distances_);
+        outgoing_.fill_zero();
+        emit_surfels(kernels_, scene_, surfels_, true, outgoing_);
+        if (lights_.maps.count > 0) light_surfels(kernels_, scene_, surfels_, lights_, outgoing_, "direct light to surface pencils", options_.light_stride, pencils.texels());
+        if (bounces) project_surface_pencils(kernels_, surfels_, world_, grid_, outgoing_);
+        sum_hemispheres(kernels_, outgoing_, distances_, surfels_.capacity, at, part, pencils);
+    }
+}
+
+void SurfaceSolver::solve(SurfacePencils& seeds, int orders) {
+    const int n = 8;
+    world_ = SurfacePencils(kernels_.device(), 4 * options_.pencils, n);
+    clock_.run("world pencils", [&] {
+        surfels_ = Surfels(kernels_.device(), seeds.count * seeds.texels(), "surfels of surface pencils");
+        distances_ = Buffer<float>(kernels_.device(), static_cast<std::size_t>(surfels_.capacity), "distances of surface pencils");
+        outgoing_ = surfel_rgb(kernels_.device(), surfels_.capacity, "radiance to surface pencils");
+        trace_hemispheres(kernels_, scene_, bvh_, seeds, 0, seeds.count, seed_, surfels_, distances_);
+        for (int round = 0; round < kMostRounds; ++round) {
+            const int before = world_.count;
+            place_surface_pencils(kernels_, surfels_, choose(surfels_, world_.capacity() - before), kReach * spacing_, world_);
+            if (world_.count == before) break;
+            gather(world_, before, world_.count - before, false);
+        }
+        grid_ = DeviceGrid(kernels_.device(), placed_, flat_);
+    });
+    clock_.run("world bounces", [&] { iterate(orders); });
+}
+
+void SurfaceSolver::iterate(int orders) {
+    const int texels = world_.count * world_.texels();
+    Surfels surfels(kernels_.device(), texels, "surfels of the world set");
+    Buffer<float> distances(kernels_.device(), static_cast<std::size_t>(surfels.capacity), "distances");
+    Buffer<glm::ivec4> links(kernels_.device(), static_cast<std::size_t>(texels), "links of the world set");
+    Buffer<float4> factors(kernels_.device(), static_cast<std::size_t>(texels), "link weights of the world set");
+    trace_hemispheres(kernels_, scene_, bvh_, world_, 0, world_.count, seed_, surfels, distances);
+    kernels_.get("link_surfels", {"packet", "hemisphere", "surface_pencil", "pencil_grid"})
+        .args(surfels.data, surfels.capacity, surfels.count, world_.data, grid_.grid, grid_.starts, grid_.entries, links, factors)
+        .run(static_cast<std::size_t>(surfels.count), "link surfels");
+    std::vector<SurfacePencil> pencils = world_.data.read(0, static_cast<std::size_t>(world_.count));
+    std::vector<float4> start;
+    for (const SurfacePencil& p : pencils) start.push_back(p.irradiance);
+    Buffer<float4> source(kernels_.device(), start, "irradiance"), target(kernels_.device(), start, "irradiance"), total(kernels_.device(), start, "irradiance of all bounces");
+    double sum = 0, last = 0;
+    const auto power = [](const std::vector<float4>& e) {
+        double s = 0;
+        for (const float4& v : e) s += static_cast<double>(v.x + v.y + v.z);
+        return s;
+    };
+    sum = power(start);
+    const int most = orders < 0 ? kMostIterations : std::max(orders - 2, 0);
+    for (int k = 0; k < most; ++k) {
+        kernels_.get("transport_irradiance", {})
+            .args(surfels.data, surfels.capacity, links, factors, world_.count, world_.n, source, target, total)
+            .run(static_cast<std::size_t>(world_.count), "transport irradiance", 8);
+        std::swap(source, target);
+        last = power(source.read());
+        sum += last;
+        if (orders < 0 && last < options_.tolerance * 0.1 * sum) break;
+    }
+    residual_ = sum > 0 ? last / sum : 0;
+    const std::vector<float4> all = total.read();
+    for (std::size_t i = 0; i < pencils.size(); ++i) pencils[i].irradiance = all[i];
+    world_.data.write(pencils);
+}
+
+}  // namespace pencil

@@ -1,0 +1,48 @@
+// The world set: surface pencils wherever light is reflected, and their irradiance after all bounces.
+#pragma once
+
+#include "transport/render.h"
+#include "transport/stage_clock.h"
+#include "transport/surface_pencils.h"
+
+namespace pencil {
+
+class SurfaceSolver {
+public:
+    SurfaceSolver(Kernels& kernels, const DeviceScene& scene, const FlatScene& flat, const DeviceBvh& bvh, const LightSet& lights,
+                  const RenderOptions& options, StageClock& clock, std::uint64_t seed);
+
+    /// Places pencils on what the texels of `seeds` see, then on what those see, and so on, until the surfaces that matter are covered;
+    /// then iterates bounces. Orders of reflection up to `orders` (-1: until the tolerance).
+    void solve(SurfacePencils& seeds, int orders);
+
+    /// What the texels of pencils first .. first + count of a set send, and with it their sums. `bounces`: with the world set's irradiance.
+    void gather(SurfacePencils& pencils, int first, int count, bool bounces);
+
+    const SurfacePencils& world() const { return world_; }
+    double residual() const { return residual_; }
+
+private:
+    float spacing() const;
+    std::vector<int> choose(const Surfels& surfels, int most);
+    void iterate(int orders);
+
+    Kernels& kernels_;
+    const DeviceScene& scene_;
+    const FlatScene& flat_;
+    const DeviceBvh& bvh_;
+    const LightSet& lights_;
+    const RenderOptions& options_;
+    StageClock& clock_;
+    uint seed_;
+    SurfacePencils world_;
+    DeviceGrid grid_;
+    Surfels surfels_;
+    Buffer<float> distances_, outgoing_;
+    float spacing_ = 0;
+    double residual_ = 0;
+    std::vector<SurfacePencil> placed_;
+    std::map<std::tuple<int, int, int>, std::vector<std::size_t>> cells_;
+};
+
+}  // namespace pencil

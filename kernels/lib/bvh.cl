@@ -1,0 +1,82 @@
+// What packets of rays from one centre meet first, by a hierarchy of boxes. Coverage, disparity and ties are those of the rasteriser
+// (raster.cl): both see the same triangle through the same point. Needs packet.cl, triangle.cl, shared/bvh.h.
+
+/// Direction components nearer to 0 than this are taken as this where they divide.
+#define BVH_TINY 1e-20f
+
+/// Rays from `origin`, and what they have met so far: disparity 1/t (0: nothing), for directions of any length.
+typedef struct RayPacket {
+    vfloat x, y, z;     // directions
+    vfloat ix, iy, iz;  // their reciprocals, finite
+    vfloat disparity, nearest;  // 1/t and t of the hit
+    vint triangle;              // -1: none
+} RayPacket;
+
+inline vfloat finite_reciprocal(vfloat v) { return 1.0f / copysign(fmax(fabs(v), (vfloat)(BVH_TINY)), v); }
+
+inline RayPacket ray_packet(vfloat x, vfloat y, vfloat z) {
+    RayPacket r;
+    r.x = x;
+    r.y = y;
+    r.z = z;
+    r.ix = finite_reciprocal(x);
+    r.iy = finite_reciprocal(y);
+    r.iz = finite_reciprocal(z);
+    r.disparity = 0.0f;
+    r.nearest = INFINITY;
+    r.triangle = -1;
+    return r;
+}
+
+/// Lanes whose rays meet a box (corners relative to the origin) before what they have met; `entry` is where.
+inline vint packet_meets_box(const RayPacket *r, float4 low, float4 high, vfloat *entry) {
+    vfloat x0 = low.x * r->ix, x1 = high.x * r->ix, y0 = low.y * r->iy, y1 = high.y * r->iy, z0 = low.z * r->iz, z1 = high.z * r->iz;
+    vfloat in = fmax(fmax(fmin(x0, x1), fmin(y0, y1)), fmax(fmin(z0, z1), (vfloat)(0.0f)));
+    vfloat out = fmin(fmin(fmax(x0, x1), fmax(y0, y1)), fmin(fmax(z0, z1), r->nearest));
+    *entry = in;
+    return PACKET_MASK(in <= out);
+}
+
+/// Meets one triangle. Nearer wins, at equal disparity the lower index.
+inline void packet_meet_triangle(RayPacket *r, global const Triangle *t, int index, float4 plane, float4 origin) {
+    float ahead = plane_ahead(plane, origin);
+    if (fabs(ahead) < PLANE_TOLERANCE) return;
+    float side = ahead > 0.0f ? 1.0f : -1.0f;
+    float4 a = t->v0 - origin, b = t->v1 - origin, c = t->v2 - origin;
+    float4 ab = edge_normal(a, b) * side, bc = edge_normal(b, c) * side, ca = edge_normal(c, a) * side, w = plane / ahead;
+    vfloat disparity = fma(r->x, (vfloat)(w.x), fma(r->y, (vfloat)(w.y), r->z * w.z));
+    vint meets = PACKET_MASK(fma(r->x, (vfloat)(ab.x), fma(r->y, (vfloat)(ab.y), r->z * ab.z)) >= 0.0f) &
+                 PACKET_MASK(fma(r->x, (vfloat)(bc.x), fma(r->y, (vfloat)(bc.y), r->z * bc.z)) >= 0.0f) &
+                 PACKET_MASK(fma(r->x, (vfloat)(ca.x), fma(r->y, (vfloat)(ca.y), r->z * ca.z)) >= 0.0f);
+    vint nearer = PACKET_MASK(disparity > r->disparity) | (PACKET_MASK(disparity == r->disparity) & PACKET_MASK(index < r->triangle));
+    meets &= nearer & PACKET_MASK(disparity > 0.0f);
+    r->disparity = select(r->disparity, disparity, meets);
+    r->nearest = select(r->nearest, 1.0f / disparity, meets);
+    r->triangle = select(r->triangle, (vint)(index), meets);
+}
+
+/// Follows the rays through the whole scene.
+inline void packet_trace(RayPacket *r, float4 origin, global const BvhNode *nodes, global const int *leaves,
+                         global const Triangle *triangles, global const float4 *planes) {
+    int stack[BVH_MOST_LEVELS + 1];
+    int depth = 0;
+    stack[depth++] = 0;
+    while (depth > 0) {
+        global const BvhNode *node = nodes + stack[--depth];
+        vfloat entry[2];
+        bool meets[2];
+        for (int k = 0; k < 2; ++k) {
+            meets[k] = PACKET_ANY(packet_meets_box(r, node->low[k] - origin, node->high[k] - origin, entry + k));
+            if (!meets[k] || node->count[k] == 0) continue;
+            for (int i = node->child[k]; i < node->child[k] + node->count[k]; ++i) {
+                int triangle = leaves[i];
+                packet_meet_triangle(r, triangles + triangle, triangle, planes[triangles[triangle].plane], origin);
+            }
+            meets[k] = false;
+        }
+        // The child that the first lane enters first is popped first.
+        int far = LANE_FLOAT(entry[0], 0) <= LANE_FLOAT(entry[1], 0) ? 1 : 0;
+        if (meets[far]) stack[depth++] = node->child[far];
+        if (meets[1 - far]) stack[depth++] = node->child[1 - far];
+    }
+}

@@ -1,0 +1,31 @@
+// Local projection: whether, and how well, the irradiance of a surface pencil stands for that of a surface point near it (Ward, Rubinstein
+// and Clear 1988, with the horizon of the pencil against light through walls). Needs hemisphere.cl, shared/surface_pencil.h.
+
+/// Normals further apart than this cosine are not interpolated.
+#define REUSE_LEAST_COSINE 0.5f
+/// A point may lie above or below the pencil's surface by this share of its distance.
+#define REUSE_MOST_SLOPE 0.4f
+/// Distances nearer than this are 0: rounding of positions [scene units].
+#define REUSE_TINY 1e-6f
+/// Weight of the turn of the normal against the step in position.
+#define REUSE_TURN 0.5f
+
+/// Distance from the pencil to x if it is at most `most` and the pencil's irradiance may be used there, INFINITY otherwise.
+inline float reuse_distance(global const SurfacePencil *p, float3 x, float3 n, float most) {
+    float3 step = x - p->position.xyz;
+    float square = dot(step, step);
+    if (square > most * most) return INFINITY;
+    float3 normal = p->normal.xyz;
+    if (dot(normal, n) < REUSE_LEAST_COSINE) return INFINITY;
+    float distance = sqrt(square);
+    if (distance < REUSE_TINY) return 0.0f;
+    if (fabs(dot(step, normal + n)) > 2.0f * REUSE_MOST_SLOPE * distance) return INFINITY;
+    float3 t, b;
+    tangent_frame(normal, &t, &b);
+    return distance < p->ring[ring_sector(dot(step, t), dot(step, b))] ? distance : INFINITY;
+}
+
+/// Ward's estimate of the relative change of irradiance from the pencil to a point at `distance` from it with normal n.
+inline float reuse_error(global const SurfacePencil *p, float distance, float3 n) {
+    return distance / p->position.w + REUSE_TURN * sqrt(fmax(1.0f - dot(p->normal.xyz, n), 0.0f));
+}

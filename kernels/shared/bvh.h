@@ -1,0 +1,25 @@
+// Bounding-volume hierarchy over triangles: two children per node, so that one node decides which of them comes first.
+#ifndef PENCIL_SHARED_BVH_H
+#define PENCIL_SHARED_BVH_H
+
+#ifndef __OPENCL_C_VERSION__
+#include "shared/types.h"
+#endif
+
+// Deepest path from the root to a leaf: the size of the traversal stack.
+#define BVH_MOST_LEVELS 48
+
+PENCIL_SHARED_BEGIN
+
+typedef struct BvhNode {
+    float4 low[2];   // xyz: bounds of each child [scene units], widened by PLANE_TOLERANCE; w unused
+    float4 high[2];  // an empty child has low > high
+    //------------------------------------------------- 64 B
+    int child[2];  // inner child: its node; leaf: its first entry in the list of triangles
+    int count[2];  // leaf: number of triangles; inner child or empty: 0
+    //------------------------------------------------- 80 B
+} BvhNode;
+
+PENCIL_SHARED_END
+
+#endif

@@ -1,0 +1,35 @@
+// A pencil on a surface: the hemisphere seen from a surfel, summed to its irradiance, and how far that irradiance may be reused.
+#ifndef PENCIL_SHARED_SURFACE_PENCIL_H
+#define PENCIL_SHARED_SURFACE_PENCIL_H
+
+#ifndef __OPENCL_C_VERSION__
+#include "shared/types.h"
+#endif
+
+#define RING_SECTORS 8  // of azimuth about the normal
+
+PENCIL_SHARED_BEGIN
+
+typedef struct SurfacePencil {
+    float4 position;    // xyz [scene units]; w: harmonic mean of the distances seen [scene units], INFINITY if nothing is
+    float4 normal;      // xyz: unit shading normal of the seen side; w: radius within which it may be used [scene units]
+    float4 facing;      // xyz: unit geometric normal of that side; w unused
+    float4 irradiance;  // rgb [W m^-2]; w unused
+    //------------------------------------------------- 64 B
+    float ring[RING_SECTORS];  // distance to the nearest thing at the horizon, per sector [scene units]
+    //------------------------------------------------- 96 B
+} SurfacePencil;
+
+// Pencils sorted into the cells of a grid over the scene; a pencil is in every cell that its radius reaches.
+typedef struct PencilGrid {
+    float4 low;  // xyz: lowest corner; w: 1 / size of a cell [1 / scene units]
+    int size_x;  // cells along each axis
+    int size_y;
+    int size_z;
+    int unused;
+    //------------------------------------------------- 32 B
+} PencilGrid;
+
+PENCIL_SHARED_END
+
+#endif

@@ -1,0 +1,27 @@
+// One bounce between surface pencils: P = Q K R on a fixed set, in terms of irradiance.
+
+/// launch : 1-D, one work-item per pencil
+/// in     : surfels (albedo), links, factors: n x n entries per pencil; source[pencil_count]: irradiance of order k
+/// out    : target[pencil_count]: irradiance of order k + 1; total[pencil_count]: target is added
+kernel void transport_irradiance(global const float *surfels, int capacity, global const int4 *links, global const float4 *factors,
+                                 int pencil_count, int n, global const float4 *source, global float4 *target, global float4 *total) {
+    int pencil = get_global_id(0);
+    if (pencil >= pencil_count) return;
+    size_t c = capacity;
+    float4 sum = (float4)(0.0f);
+    for (int i = pencil * n * n; i < (pencil + 1) * n * n; ++i) {
+        int4 link = links[i];
+        if (link.x < 0) continue;
+        float4 f = factors[i];
+        float4 e = f.x * source[link.x];
+        if (link.y >= 0) e += f.y * source[link.y];
+        if (link.z >= 0) e += f.z * source[link.z];
+        if (link.w >= 0) e += f.w * source[link.w];
+        global const float *s = surfels + i;
+        sum += e * (float4)(s[SURFEL_ALBEDO_R * c], s[SURFEL_ALBEDO_G * c], s[SURFEL_ALBEDO_B * c], 0.0f);
+    }
+    // E' = pi / n^2 sum(albedo / pi E)
+    sum /= (float)(n * n);
+    target[pencil] = sum;
+    total[pencil] += sum;
+}
