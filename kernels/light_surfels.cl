@@ -29,8 +29,8 @@ inline void add_light_sample(const SurfelPacket *s, const VisibilityMap *map, gl
 /// exact on its axis. It is bounded where r -> 0 and tends to the printed form as A does to 0. Point lights have A = 0 and cos_l = 1.
 kernel void light_surfels(global const float *surfels, int capacity, int surfel_count, global const LightSample *samples, int sample_count,
                           global const float4 *cops, global const int2 *cells, global const int4 *groups, global const Hit *hits,
-                          global const Triangle *triangles, global const float4 *planes, int n, int stride, int group, global float *outgoing,
-                          int accumulate) {
+                          global const Triangle *triangles, global const float4 *planes, int n, int stride, int group,
+                          global float *outgoing, int accumulate) {
     int first = get_global_id(0) * PENCIL_BLOCK * PENCIL_WIDTH;
     if (first >= surfel_count) return;
     VisibilityMap map = {cells, groups, hits, triangles, planes, n};

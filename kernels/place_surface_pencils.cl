@@ -3,8 +3,8 @@
 /// launch : 1-D, one work-item per new pencil
 /// in     : surfels; chosen[count]: the surfel of each pencil; radius [scene units]
 /// out    : pencils[first ..]: position, normal, facing; the rest is 0 until they are traced and summed
-kernel void place_surface_pencils(global const float *surfels, int capacity, global const int *chosen, int count, float radius, float spacing, int first,
-                                  global SurfacePencil *pencils) {
+kernel void place_surface_pencils(global const float *surfels, int capacity, global const int *chosen, int count, float radius,
+                                  float spacing, int first, global SurfacePencil *pencils) {
     int item = get_global_id(0);
     if (item >= count) return;
     global const float *s = surfels + chosen[item];

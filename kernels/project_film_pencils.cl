@@ -4,8 +4,8 @@
 /// in     : as cover_film; most_error: reuse_error at which a pencil's weight falls to 0
 /// out    : outgoing[3][capacity] [W m^-2 sr^-1] of the pixel's surfels, added to
 kernel void project_film_pencils(global const float *surfels, int capacity, global const uchar *counts, global const int *first_surfel,
-                                 global const SurfacePencil *pencils, global const float4 *irradiance, global const int *pencil_at, int coarsest, int finest,
-                                 float most_error, int width, int height, global float *outgoing) {
+                                 global const SurfacePencil *pencils, global const float4 *irradiance, global const int *pencil_at,
+                                 int coarsest, int finest, float most_error, int width, int height, global float *outgoing) {
     int pixel = get_global_id(0);
     if (pixel >= width * height) return;
     int2 at = (int2)(pixel % width, pixel / width);

@@ -11,7 +11,8 @@ kernel void project_surface_pencils(global const float *surfels, int capacity, i
     size_t c = capacity;
     global const float *s = surfels + i;
     if (as_int(s[SURFEL_PLANE * c]) < 0) return;
-    float3 x = (float3)(s[SURFEL_X * c], s[SURFEL_Y * c], s[SURFEL_Z * c]), n = (float3)(s[SURFEL_NX * c], s[SURFEL_NY * c], s[SURFEL_NZ * c]);
+    float3 x = (float3)(s[SURFEL_X * c], s[SURFEL_Y * c], s[SURFEL_Z * c]),
+           n = (float3)(s[SURFEL_NX * c], s[SURFEL_NY * c], s[SURFEL_NZ * c]);
     float3 albedo = (float3)(s[SURFEL_ALBEDO_R * c], s[SURFEL_ALBEDO_G * c], s[SURFEL_ALBEDO_B * c]);
     if (!any(albedo > 0.0f)) return;
     float3 radiance = linked_irradiance(pencils, nearest_pencils(pencils, grid, starts, entries, x, n)) * albedo * M_1_PI_F;

@@ -7,7 +7,8 @@
 #define SMOOTH_HOLD 1e-3f
 
 /// launch : 1-D, one work-item per pixel
-/// in     : pencils, pencil_at; facing.w: spacing at which a pencil was placed [pixels]; most_error: reuse_error at which a neighbour counts
+/// in     : pencils, pencil_at; facing.w: spacing at which a pencil was placed [pixels]; most_error: reuse_error at which a neighbour
+/// counts
 ///          nothing
 /// out    : irradiance[pencil]: rgb
 kernel void smooth_irradiance(global const SurfacePencil *pencils, global const int *pencil_at, float most_error, int width, int height,

@@ -71,8 +71,10 @@ void add_solver_options(CLI::App& app, RenderCommand& command) {
     add_integer(app, "--film-map", options.film_map, 4, 256, "x");
     add_integer(app, "--coarsest", options.coarsest, 1, 64, "x");
     add_integer(app, "--finest", options.finest, 1, 64, "x");
-    add(app, "--smooth", "x", "X", "", [&options](const std::string& text) { options.smooth = static_cast<float>(parse_real(text, 0, false, 100)); });
-    add(app, "--most-error", "x", "X", "", [&options](const std::string& text) { options.most_error = static_cast<float>(parse_real(text, 0, false, 100)); });
+    add(app, "--smooth", "x", "X", "",
+        [&options](const std::string& text) { options.smooth = static_cast<float>(parse_real(text, 0, false, 100)); });
+    add(app, "--most-error", "x", "X", "",
+        [&options](const std::string& text) { options.most_error = static_cast<float>(parse_real(text, 0, false, 100)); });
     add_integer(app, "--pencils", options.pencils, 1, many, "Pencils of the first set");
     add(app, "--decay", "Size of each further set relative to the last (above 0, at most 1)", "X", format_real(options.decay),
         [&options](const std::string& text) { options.decay = parse_real(text, 0, false, 1); });

@@ -1,5 +1,9 @@
 #include "transport/features.h"
 
+#include <stdexcept>
+
+#include "transport/kernel_groups.h"
+
 namespace pencil {
 
 Features detect_features(const FlatScene& scene, bool thesis_weights, int film_samples) {
@@ -17,11 +21,13 @@ Defines to_defines(const Features& features, int block) {
             {"PENCIL_FILM_SAMPLES", std::to_string(features.film_samples)}};
 }
 
-Launch Kernels::get(const std::string& name, const std::vector<std::string>& libraries) {
-    std::vector<std::string> files = {"shared/types.h",  "shared/atlas.h", "shared/geometry.h", "shared/camera.h",
-                                      "shared/surfel.h", "shared/light.h", "shared/film.h",   "shared/bvh.h",      "shared/surface_pencil.h"};
-    for (const std::string& library : libraries) files.push_back("lib/" + library + ".cl");
-    files.push_back(name + ".cl");
+Launch Kernels::get(const std::string& name) {
+    const KernelGroup* group = find_group(name);
+    if (!group) throw std::logic_error("kernel " + name + " is in no group of kernel_groups.cpp");
+    std::vector<std::string> files = {"shared/types.h", "shared/atlas.h", "shared/geometry.h", "shared/camera.h",        "shared/surfel.h",
+                                      "shared/light.h", "shared/film.h",  "shared/bvh.h",      "shared/surface_pencil.h"};
+    for (const std::string& library : group->libraries) files.push_back("lib/" + library + ".cl");
+    for (const std::string& kernel : group->kernels) files.push_back(kernel + ".cl");
     return cache_.kernel(name, files, to_defines(features_, block()));
 }
 

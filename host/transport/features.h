@@ -18,16 +18,12 @@ struct Features {
 Features detect_features(const FlatScene& scene, bool thesis_weights, int film_samples);
 Defines to_defines(const Features& features, int block);
 
-/// Libraries of the kernels that test the visibility of packets of surfels.
-inline const std::vector<std::string> kPacketVisibility = {"packet",        "octahedral", "footprint",        "triangle",
-                                                           "surfel_packet", "visibility", "packet_visibility"};
-
 /// Kernels of one render: the program cache with the render's specialisation.
 class Kernels {
 public:
     Kernels(std::shared_ptr<Device> device, const Features& features) : cache_(std::move(device)), features_(features) {}
-    /// Kernel `name` from kernels/<name>.cl behind the shared headers and `libraries` ("packet" is lib/packet.cl), in this order.
-    Launch get(const std::string& name, const std::vector<std::string>& libraries);
+    /// Kernel `name` from kernels/<name>.cl, built with its group (kernel_groups.h) behind the shared headers.
+    Launch get(const std::string& name);
     const std::shared_ptr<Device>& device() const { return cache_.device(); }
     const Features& features() const { return features_; }
     ProgramCache& cache() { return cache_; }

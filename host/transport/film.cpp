@@ -61,13 +61,13 @@ Film::Film(Kernels& kernels, const DeviceScene& scene, const Camera& camera, con
 
 void Film::rasterize(Kernels& kernels, const DeviceScene& scene, int first_row, int rows) {
     const int band = std::max(kBandRows, (rows + kMostBands - 1) / kMostBands), bands = (rows + band - 1) / band;
-    kernels.get("rasterize_film", {"packet", "octahedral", "triangle", "raster"})
+    kernels.get("rasterize_film")
         .args(scene.triangles, scene.triangle_count, scene.planes, camera_, scene.to_film, offsets_, samples_, first_row, rows, band, hits_)
         .run(static_cast<std::size_t>(bands) * static_cast<std::size_t>(samples_), "rasterize film", 1);
 }
 
 void Film::classify(Kernels& kernels, const DeviceScene& scene, int first_row, int rows) {
-    kernels.get("classify_film", {})
+    kernels.get("classify_film")
         .args(hits_, camera_, offsets_, samples_, first_row, rows, scene.triangles, scene.planes, slots_, counts_)
         .run(static_cast<std::size_t>(rows) * static_cast<std::size_t>(camera_.width), "classify film samples");
 }
@@ -91,7 +91,7 @@ int Film::number_surfels(const std::shared_ptr<Device>& device) {
 }
 
 void Film::write_surfels(Kernels& kernels, const DeviceScene& scene, int first_row, int rows) {
-    kernels.get("film_surfels", {"octahedral", "triangle", "surfel"})
+    kernels.get("film_surfels")
         .args(hits_, camera_, offsets_, samples_, first_row, rows, slots_, counts_, first_surfel_, scene.triangles, scene.planes,
               scene.materials, scene.normals, surfels_.data, surfels_.capacity)
         .run(static_cast<std::size_t>(rows) * static_cast<std::size_t>(camera_.width), "film surfels");
@@ -99,7 +99,7 @@ void Film::write_surfels(Kernels& kernels, const DeviceScene& scene, int first_r
 
 std::vector<float> Film::resolve(Kernels& kernels, const Buffer<float>& values, int first_field) const {
     Buffer<float> image(kernels.device(), pixel_count(camera_) * 3, "resolved layer");
-    kernels.get("resolve_film", {})
+    kernels.get("resolve_film")
         .args(values, first_field, surfels_.capacity, slots_, counts_, first_surfel_, weights_, totals_, reach_, samples_, camera_.width,
               camera_.height, image)
         .run(pixel_count(camera_), "resolve film");

@@ -16,8 +16,8 @@ public:
     Film(Kernels& kernels, const DeviceScene& scene, const Camera& camera, const ReconstructionFilter& filter, std::uint64_t seed);
 
     const Surfels& surfels() const { return surfels_; }
-    const Buffer<unsigned char>& counts() const { return counts_; }      // per pixel: surfels and FILM_HAS_EMPTY
-    const Buffer<int>& first_surfel() const { return first_surfel_; }    // per pixel
+    const Buffer<unsigned char>& counts() const { return counts_; }    // per pixel: surfels and FILM_HAS_EMPTY
+    const Buffer<int>& first_surfel() const { return first_surfel_; }  // per pixel
     int width() const { return camera_.width; }
     int height() const { return camera_.height; }
 

@@ -6,10 +6,6 @@
 
 namespace pencil {
 
-namespace {
-const std::vector<std::string> kLattice = {"packet", "hemisphere", "surface_pencil", "film_lattice"};
-}
-
 FilmPencils::FilmPencils(Kernels& kernels, const Film& film, const FilmLattice& lattice)
     : kernels_(kernels),
       film_(film),
@@ -51,7 +47,7 @@ void FilmPencils::refine(SurfaceSolver& solver) {
     solver.gather(pencils_, gathered_, pencils_.count - gathered_, true);
     gathered_ = pencils_.count;
     for (int spacing = lattice_.coarsest; spacing > lattice_.finest; spacing /= 2) {
-        kernels_.get("cover_film", kLattice)
+        kernels_.get("cover_film")
             .args(film_.surfels().data, film_.surfels().capacity, film_.counts(), film_.first_surfel(), pencils_.data, pencil_at_,
                   lattice_.coarsest, spacing, lattice_.most_error, width, height, uncovered)
             .run(counts_.size(), "cover film");
@@ -78,11 +74,12 @@ void FilmPencils::refine(SurfaceSolver& solver) {
 void FilmPencils::project(Buffer<float>& outgoing) {
     const Surfels& surfels = film_.surfels();
     Buffer<float4> irradiance(kernels_.device(), static_cast<std::size_t>(pencils_.count), "irradiance of film pencils");
-    kernels_.get("smooth_irradiance", kLattice)
+    kernels_.get("smooth_irradiance")
         .args(pencils_.data, pencil_at_, lattice_.smooth, film_.width(), film_.height(), irradiance)
         .run(counts_.size(), "smooth irradiance");
-    kernels_.get("project_film_pencils", kLattice)
-        .args(surfels.data, surfels.capacity, film_.counts(), film_.first_surfel(), pencils_.data, irradiance, pencil_at_, lattice_.coarsest, lattice_.finest, 2.0F * lattice_.most_error, film_.width(), film_.height(), outgoing)
+    kernels_.get("project_film_pencils")
+        .args(surfels.data, surfels.capacity, film_.counts(), film_.first_surfel(), pencils_.data, irradiance, pencil_at_,
+              lattice_.coarsest, lattice_.finest, 2.0F * lattice_.most_error, film_.width(), film_.height(), outgoing)
         .run(counts_.size(), "project film pencils");
 }
 

@@ -101,8 +101,7 @@ private:
         for (int shape : free_space.rooms())
             rooms += (rooms.empty() ? "" : ", ") + context_.scene.shapes[static_cast<std::size_t>(shape)].id;
         context_.stats.explain.push_back("placement: rejected " + std::to_string(free_space.in_solids()) + " centres inside solids and " +
-                                         std::to_string(free_space.unreached()) +
-                                         " that see no surface which film, lights or others see" +
+                                         std::to_string(free_space.unreached()) + " that see no surface which film, lights or others see" +
                                          (rooms.empty() ? std::string() : "; rooms, because the camera or a light is inside: " + rooms));
     }
 

@@ -23,8 +23,8 @@ public:
     RenderResult run() {
         check_options();
         check_memory();
-        context_.stats.explain = explain(context_.scene, context_.options, context_.forms, context_.kernels.features(),
-                                         *context_.kernels.device());
+        context_.stats.explain =
+            explain(context_.scene, context_.options, context_.forms, context_.kernels.features(), *context_.kernels.device());
         return context_.options.method == Method::line ? finish(render_frame(nullptr, context_.options.seed)) : render_passes();
     }
 
@@ -71,7 +71,8 @@ private:
     RenderResult render_passes() {
         const RenderOptions& options = context_.options;
         std::unique_ptr<DeviceBvh> bvh;
-        context_.clock.run("hierarchy", [&] { bvh = std::make_unique<DeviceBvh>(context_.kernels.device(), build_bvh(context_.flat.triangles)); });
+        context_.clock.run("hierarchy",
+                           [&] { bvh = std::make_unique<DeviceBvh>(context_.kernels.device(), build_bvh(context_.flat.triangles)); });
         LayerMean mean;
         for (int pass = 0; pass < options.passes && !(pass > 0 && context_.clock.stopped()); ++pass) {
             std::vector<Layer> layers = render_frame(bvh.get(), hash64(options.seed) + static_cast<std::uint64_t>(pass));

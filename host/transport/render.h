@@ -64,9 +64,9 @@ struct BounceReport {
 struct RenderStats {
     std::vector<StageTime> stages;  // in order of execution; kernel builds are a stage of their own
     std::vector<BounceReport> bounces;
-    double residual = 0;       // estimated radiance of the bounces that were not computed, relative to the image's mean
+    double residual = 0;         // estimated radiance of the bounces that were not computed, relative to the image's mean
     double estimated_error = 0;  // relMSE of the beauty, from the spread of the passes; infinite for one pass
-    bool tail_closed = false;  // the residual was added as a geometric tail
+    bool tail_closed = false;    // the residual was added as a geometric tail
     std::uint64_t device_peak_bytes = 0;
     std::uint64_t triangles = 0, film_surfels = 0;
     std::uint64_t blind_surfels = 0;   // film surfels that no pencil of the first set sees

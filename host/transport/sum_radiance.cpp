@@ -4,7 +4,7 @@ namespace pencil {
 
 glm::dvec3 sum_radiance(Kernels& kernels, const PencilSet& set) {
     Buffer<float4> means(kernels.device(), static_cast<std::size_t>(set.maps->count), "mean radiance");
-    kernels.get("sum_radiance", {"octahedral"})
+    kernels.get("sum_radiance")
         .args(set.radiance, set.maps->count, set.maps->n, means)
         .run(static_cast<std::size_t>(set.maps->count), "mean radiance");
     glm::dvec3 sum(0);

@@ -46,20 +46,21 @@ DeviceGrid::DeviceGrid(const std::shared_ptr<Device>& device, const std::vector<
     entries = Buffer<int>(device, entry, "entries of the grid");
 }
 
-void place_surface_pencils(Kernels& kernels, const Surfels& surfels, const std::vector<int>& chosen, float radius, SurfacePencils& pencils, float spacing) {
+void place_surface_pencils(Kernels& kernels, const Surfels& surfels, const std::vector<int>& chosen, float radius, SurfacePencils& pencils,
+                           float spacing) {
     if (chosen.empty()) return;
     const Buffer<int> ids(kernels.device(), chosen, "chosen surfels");
     const int count = static_cast<int>(chosen.size());
-    kernels.get("place_surface_pencils", {})
+    kernels.get("place_surface_pencils")
         .args(surfels.data, surfels.capacity, ids, count, radius, spacing, pencils.count, pencils.data)
         .run(chosen.size(), "place surface pencils");
     pencils.count += count;
 }
 
-void trace_hemispheres(Kernels& kernels, const DeviceScene& scene, const DeviceBvh& bvh, const SurfacePencils& pencils, int first, int count,
-                       uint seed, Surfels& surfels, Buffer<float>& distances) {
+void trace_hemispheres(Kernels& kernels, const DeviceScene& scene, const DeviceBvh& bvh, const SurfacePencils& pencils, int first,
+                       int count, uint seed, Surfels& surfels, Buffer<float>& distances) {
     surfels.count = count * pencils.texels();
-    kernels.get("trace_hemispheres", {"packet", "triangle", "surfel", "bvh", "hemisphere"})
+    kernels.get("trace_hemispheres")
         .args(pencils.data, first, count, pencils.n, seed, bvh.nodes, bvh.leaves, scene.triangles, scene.planes, scene.materials,
               scene.normals, surfels.data, surfels.capacity, distances)
         .run(kernels.packets(surfels.count), "trace hemispheres");
@@ -67,14 +68,14 @@ void trace_hemispheres(Kernels& kernels, const DeviceScene& scene, const DeviceB
 
 void sum_hemispheres(Kernels& kernels, const Buffer<float>& radiance, const Buffer<float>& distances, int capacity, int first, int count,
                      SurfacePencils& pencils) {
-    kernels.get("sum_hemispheres", {"packet", "hemisphere"})
+    kernels.get("sum_hemispheres")
         .args(radiance, distances, capacity, first, count, pencils.n, pencils.data)
         .run(static_cast<std::size_t>(count), "sum hemispheres", 8);
 }
 
 void project_surface_pencils(Kernels& kernels, const Surfels& surfels, const SurfacePencils& pencils, const DeviceGrid& grid,
                              Buffer<float>& outgoing) {
-    kernels.get("project_surface_pencils", {"packet", "hemisphere", "surface_pencil", "pencil_grid"})
+    kernels.get("project_surface_pencils")
         .args(surfels.data, surfels.capacity, surfels.count, pencils.data, grid.grid, grid.starts, grid.entries, outgoing)
         .run(static_cast<std::size_t>(surfels.count), "project surface pencils");
 }

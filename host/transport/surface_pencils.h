@@ -40,11 +40,12 @@ struct DeviceGrid {
 };
 
 /// Appends pencils on the chosen surfels; `radius` [scene units] is how far they may be used through a grid.
-void place_surface_pencils(Kernels& kernels, const Surfels& surfels, const std::vector<int>& chosen, float radius, SurfacePencils& pencils, float spacing = 0);
+void place_surface_pencils(Kernels& kernels, const Surfels& surfels, const std::vector<int>& chosen, float radius, SurfacePencils& pencils,
+                           float spacing = 0);
 
 /// Surfels and distances [scene units] that the texels of pencils first .. first + count see.
-void trace_hemispheres(Kernels& kernels, const DeviceScene& scene, const DeviceBvh& bvh, const SurfacePencils& pencils, int first, int count,
-                       uint seed, Surfels& surfels, Buffer<float>& distances);
+void trace_hemispheres(Kernels& kernels, const DeviceScene& scene, const DeviceBvh& bvh, const SurfacePencils& pencils, int first,
+                       int count, uint seed, Surfels& surfels, Buffer<float>& distances);
 
 /// Irradiance, harmonic mean distance and horizon of pencils first .. first + count from what their texels send.
 void sum_hemispheres(Kernels& kernels, const Buffer<float>& radiance, const Buffer<float>& distances, int capacity, int first, int count,

@@ -31,16 +31,24 @@ double reflecting_area(const FlatScene& flat) {
 
 }  // namespace
 
-SurfaceSolver::SurfaceSolver(Kernels& kernels, const DeviceScene& scene, const FlatScene& flat, const DeviceBvh& bvh, const LightSet& lights,
-                             const RenderOptions& options, StageClock& clock, std::uint64_t seed)
-    : kernels_(kernels), scene_(scene), flat_(flat), bvh_(bvh), lights_(lights), options_(options), clock_(clock), seed_(static_cast<uint>(hash64(seed + 17) >> 32)) {
+SurfaceSolver::SurfaceSolver(Kernels& kernels, const DeviceScene& scene, const FlatScene& flat, const DeviceBvh& bvh,
+                             const LightSet& lights, const RenderOptions& options, StageClock& clock, std::uint64_t seed)
+    : kernels_(kernels),
+      scene_(scene),
+      flat_(flat),
+      bvh_(bvh),
+      lights_(lights),
+      options_(options),
+      clock_(clock),
+      seed_(static_cast<uint>(hash64(seed + 17) >> 32)) {
     spacing_ = static_cast<float>(std::sqrt(0.7 * reflecting_area(flat) / options.pencils));
 }
 
 /// Surfels that no placed pencil stands for, thinned to the spacing.
 std::vector<int> SurfaceSolver::choose(const Surfels& surfels, int most) {
     const auto field = [&](int f) {
-        return surfels.data.read(static_cast<std::size_t>(f) * static_cast<std::size_t>(surfels.capacity), static_cast<std::size_t>(surfels.count));
+        return surfels.data.read(static_cast<std::size_t>(f) * static_cast<std::size_t>(surfels.capacity),
+                                 static_cast<std::size_t>(surfels.count));
     };
     const std::vector<float> x = field(SURFEL_X), y = field(SURFEL_Y), z = field(SURFEL_Z), nx = field(SURFEL_NX), ny = field(SURFEL_NY),
                              nz = field(SURFEL_NZ);
@@ -84,7 +92,9 @@ void SurfaceSolver::gather(SurfacePencils& pencils, int first, int count, bool b
         trace_hemispheres(kernels_, scene_, bvh_, pencils, at, part, seed_, surfels_, distances_);
         outgoing_.fill_zero();
         emit_surfels(kernels_, scene_, surfels_, true, outgoing_);
-        if (lights_.maps.count > 0) light_surfels(kernels_, scene_, surfels_, lights_, outgoing_, "direct light to surface pencils", options_.light_stride, pencils.texels());
+        if (lights_.maps.count > 0)
+            light_surfels(kernels_, scene_, surfels_, lights_, outgoing_, "direct light to surface pencils", options_.light_stride,
+                          pencils.texels());
         if (bounces) project_surface_pencils(kernels_, surfels_, world_, grid_, outgoing_);
         sum_hemispheres(kernels_, outgoing_, distances_, surfels_.capacity, at, part, pencils);
     }
@@ -116,13 +126,14 @@ void SurfaceSolver::iterate(int orders) {
     Buffer<glm::ivec4> links(kernels_.device(), static_cast<std::size_t>(texels), "links of the world set");
     Buffer<float4> factors(kernels_.device(), static_cast<std::size_t>(texels), "link weights of the world set");
     trace_hemispheres(kernels_, scene_, bvh_, world_, 0, world_.count, seed_, surfels, distances);
-    kernels_.get("link_surfels", {"packet", "hemisphere", "surface_pencil", "pencil_grid"})
+    kernels_.get("link_surfels")
         .args(surfels.data, surfels.capacity, surfels.count, world_.data, grid_.grid, grid_.starts, grid_.entries, links, factors)
         .run(static_cast<std::size_t>(surfels.count), "link surfels");
     std::vector<SurfacePencil> pencils = world_.data.read(0, static_cast<std::size_t>(world_.count));
     std::vector<float4> start;
     for (const SurfacePencil& p : pencils) start.push_back(p.irradiance);
-    Buffer<float4> source(kernels_.device(), start, "irradiance"), target(kernels_.device(), start, "irradiance"), total(kernels_.device(), start, "irradiance of all bounces");
+    Buffer<float4> source(kernels_.device(), start, "irradiance"), target(kernels_.device(), start, "irradiance"),
+        total(kernels_.device(), start, "irradiance of all bounces");
     double sum = 0, last = 0;
     const auto power = [](const std::vector<float4>& e) {
         double s = 0;
@@ -132,7 +143,7 @@ void SurfaceSolver::iterate(int orders) {
     sum = power(start);
     const int most = orders < 0 ? kMostIterations : std::max(orders - 2, 0);
     for (int k = 0; k < most; ++k) {
-        kernels_.get("transport_irradiance", {})
+        kernels_.get("transport_irradiance")
             .args(surfels.data, surfels.capacity, links, factors, world_.count, world_.n, source, target, total)
             .run(static_cast<std::size_t>(world_.count), "transport irradiance", 8);
         std::swap(source, target);

@@ -6,8 +6,8 @@
 
 /// Rays from `origin`, and what they have met so far: disparity 1/t (0: nothing), for directions of any length.
 typedef struct RayPacket {
-    vfloat x, y, z;     // directions
-    vfloat ix, iy, iz;  // their reciprocals, finite
+    vfloat x, y, z;             // directions
+    vfloat ix, iy, iz;          // their reciprocals, finite
     vfloat disparity, nearest;  // 1/t and t of the hit
     vint triangle;              // -1: none
 } RayPacket;

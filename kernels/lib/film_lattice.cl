@@ -7,7 +7,8 @@ typedef struct SurfacePoint {
 inline SurfacePoint surface_point(global const float *surfels, int capacity, int i) {
     size_t c = capacity;
     global const float *s = surfels + i;
-    SurfacePoint p = {(float3)(s[SURFEL_X * c], s[SURFEL_Y * c], s[SURFEL_Z * c]), (float3)(s[SURFEL_NX * c], s[SURFEL_NY * c], s[SURFEL_NZ * c])};
+    SurfacePoint p = {(float3)(s[SURFEL_X * c], s[SURFEL_Y * c], s[SURFEL_Z * c]),
+                      (float3)(s[SURFEL_NX * c], s[SURFEL_NY * c], s[SURFEL_NZ * c])};
     return p;
 }
 

@@ -27,11 +27,11 @@ Classified classify(TestScene scene, const TestCamera& view, int samples) {
     const int rows = view.camera.height;
     const auto pixels = static_cast<std::size_t>(rows * view.camera.width);
     Buffer<Hit> hits(device(), offsets.size() * pixels, "hits");
-    kernels.get("rasterize_film", {"packet", "octahedral", "triangle", "raster"})
+    kernels.get("rasterize_film")
         .args(s.triangles, s.triangle_count, s.planes, view.camera, s.to_film, positions, samples, 0, rows, rows, hits)
         .run(offsets.size(), "rasterize film", 1);
     Buffer<unsigned char> slots(device(), offsets.size() * pixels, "slots"), counts(device(), pixels, "counts");
-    kernels.get("classify_film", {})
+    kernels.get("classify_film")
         .args(hits, view.camera, positions, samples, 0, rows, s.triangles, s.planes, slots, counts)
         .run(pixels, "classify");
     std::vector<int> first;
@@ -42,7 +42,7 @@ Classified classify(TestScene scene, const TestCamera& view, int samples) {
     }
     const Buffer<int> first_surfel(device(), first, "first surfels");
     Surfels surfels(device(), next, "surfels");
-    kernels.get("film_surfels", {"octahedral", "triangle", "surfel"})
+    kernels.get("film_surfels")
         .args(hits, view.camera, positions, samples, 0, rows, slots, counts, first_surfel, s.triangles, s.planes, s.materials, s.normals,
               surfels.data, surfels.capacity)
         .run(pixels, "film surfels");

@@ -17,7 +17,7 @@ std::vector<Hit> rasterize(TestScene scene, const TestCamera& view, const std::v
     const Buffer<glm::vec2> positions(device(), offsets, "offsets");
     const int samples = static_cast<int>(offsets.size()), bands = (rows + band_rows - 1) / band_rows;
     Buffer<Hit> hits(device(), offsets.size() * static_cast<std::size_t>(rows * view.camera.width), "hits");
-    kernels.get("rasterize_film", {"packet", "octahedral", "triangle", "raster"})
+    kernels.get("rasterize_film")
         .args(on_device.triangles, on_device.triangle_count, on_device.planes, view.camera, on_device.to_film, positions, samples,
               first_row, rows, band_rows, hits)
         .run(static_cast<std::size_t>(bands) * offsets.size(), "rasterize film", 1);

@@ -61,7 +61,7 @@ void check(const Case& c, int width, int height, int samples, bool constant) {
     const FilterTable table = tabulate_filter(filter, offsets);
     Kernels kernels = make_kernels(false, false, samples);
     Buffer<float> image(device(), static_cast<std::size_t>(width * height) * 3, "image");
-    kernels.get("resolve_film", {})
+    kernels.get("resolve_film")
         .args(Buffer<float>(device(), values, "values"), first_field, capacity, Buffer<unsigned char>(device(), pixels.slots, "slots"),
               Buffer<unsigned char>(device(), pixels.counts, "counts"), Buffer<int>(device(), pixels.first, "first"),
               Buffer<float>(device(), table.weights, "weights"), Buffer<float>(device(), table.totals, "totals"), table.reach, samples,

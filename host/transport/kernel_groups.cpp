@@ -1,0 +1,37 @@
+#include "transport/kernel_groups.h"
+
+#include <algorithm>
+
+namespace pencil {
+
+namespace {
+
+const std::vector<KernelGroup>& groups() {
+    static const std::vector<KernelGroup> all{
+        // Film: every render.
+        {{"packet", "octahedral", "triangle", "raster", "surfel"},
+         {"rasterize_film", "classify_film", "film_surfels", "emit_surfels", "resolve_film"}},
+        // Geometry maps, and direct light through them.
+        {{"packet", "octahedral", "triangle", "raster", "footprint", "surfel_packet", "visibility", "packet_visibility"},
+         {"rasterize_octahedral", "fold_hits", "light_surfels"}},
+        // Line projection.
+        {{"packet", "octahedral", "triangle", "surfel", "footprint", "surfel_packet", "visibility", "packet_visibility"},
+         {"find_enclosing", "find_sides", "gather_surfels", "test_visibility", "estimate_density", "project_pencils", "store_radiance",
+          "smooth_radiance", "sum_radiance"}},
+        // Surface pencils.
+        {{"packet", "triangle", "surfel", "bvh", "hemisphere", "surface_pencil", "pencil_grid", "film_lattice"},
+         {"place_surface_pencils", "trace_hemispheres", "sum_hemispheres", "project_surface_pencils", "link_surfels",
+          "transport_irradiance", "cover_film", "smooth_irradiance", "project_film_pencils"}},
+    };
+    return all;
+}
+
+}  // namespace
+
+const KernelGroup* find_group(const std::string& kernel) {
+    for (const KernelGroup& group : groups())
+        if (std::find(group.kernels.begin(), group.kernels.end(), kernel) != group.kernels.end()) return &group;
+    return nullptr;
+}
+
+}  // namespace pencil
