@@ -29,7 +29,7 @@ inline void add_light_sample(const SurfelPacket *s, const VisibilityMap *map, gl
 /// exact on its axis. It is bounded where r -> 0 and tends to the printed form as A does to 0. Point lights have A = 0 and cos_l = 1.
 kernel void light_surfels(global const float *surfels, int capacity, int surfel_count, global const LightSample *samples, int sample_count,
                           global const float4 *cops, global const int2 *cells, global const int4 *groups, global const Hit *hits,
-                          global const Triangle *triangles, global const float4 *planes, int n, int stride, int group,
+                          global const Triangle *triangles, global const float4 *planes, int n, int stride, int group, uint seed,
                           global float *outgoing, int accumulate) {
     int first = get_global_id(0) * PENCIL_BLOCK * PENCIL_WIDTH;
     if (first >= surfel_count) return;
@@ -40,7 +40,9 @@ kernel void light_surfels(global const float *surfels, int capacity, int surfel_
         packets[p] = load_surfels(surfels, capacity, first + p * PENCIL_WIDTH);
         rgb[p][0] = rgb[p][1] = rgb[p][2] = 0.0f;
     }
-    for (int i = first / group % stride; i < sample_count; i += stride) {
+    int phase = (int)(hash_uint((uint)(first / group) ^ seed) % (uint)stride);
+    for (int i = 0; i < sample_count; ++i) {
+        if (i / 3 % stride != phase) continue;
         float4 cop = (float4)(cops[i].xyz, 0.0f);
         for (int p = 0; p < PENCIL_BLOCK; ++p) add_light_sample(packets + p, &map, samples + i, cop, i, rgb[p]);
     }

@@ -32,12 +32,18 @@ glm::dvec2 square_to_triangle(glm::dvec2 u) {
     return u;
 }
 
-LightSample area_sample(const Triangle& t, const float4& plane, const glm::dvec3& radiance, double area, const glm::dvec2& u) {
-    Corners p = corners_of(t);
-    glm::dvec2 b = square_to_triangle(u);
-    glm::dvec3 x = p.a + b.x * (p.b - p.a) + b.y * (p.c - p.a);
+/// Barycentric coordinates of sample `k` of a triangle: threes of samples are one point and its two rotations among the corners. Their mean
+/// is the centre, so linear functions over the triangle are integrated exactly, and the distribution stays uniform.
+glm::dvec3 triangle_point(std::uint64_t k, const glm::dvec2& shift) {
+    const glm::dvec2 u = square_to_triangle(r2_sequence(k / 3, shift));
+    const glm::dvec3 b(1.0 - u.x - u.y, u.x, u.y);
+    return k % 3 == 0 ? b : k % 3 == 1 ? glm::dvec3(b.z, b.x, b.y) : glm::dvec3(b.y, b.z, b.x);
+}
+
+LightSample area_sample(const Triangle& t, const float4& plane, const glm::dvec3& radiance, double area, const glm::dvec3& b) {
+    const Corners p = corners_of(t);
     LightSample s{};
-    s.position = float4(glm::vec3(x), 1.0F);
+    s.position = float4(glm::vec3(b.x * p.a + b.y * p.b + b.z * p.c), 1.0F);
     s.normal = float4(glm::vec3(plane), static_cast<float>(area / kPi));
     s.emission = float4(glm::vec3(radiance * area), static_cast<float>(t.plane));
     return s;
@@ -67,14 +73,19 @@ std::vector<ShapeTriangles> emitting_shapes(const Scene& scene, const FlatScene&
 /// Systematic in the area, so that each triangle gets its share to within one sample; low-discrepancy within the triangles.
 void sample_shape(const ShapeTriangles& e, const FlatScene& flat, const glm::dvec3& radiance, long own, std::uint64_t seed,
                   std::vector<LightSample>& samples) {
-    const glm::dvec2 shift(random_unit(seed, 0, 0), random_unit(seed, 1, 0));
     const double start = random_unit(seed, 2, 0);
-    for (long k = 0; k < own; ++k) {
+    std::size_t triangle = 0;
+    std::uint64_t within = 0;
+    for (long k = 0; k < own; ++k, ++within) {
         const double at = (static_cast<double>(k) + start) / static_cast<double>(own) * e.area;
-        auto found = std::upper_bound(e.up_to.begin(), e.up_to.end() - 1, at);
-        const Triangle& t = *e.triangles[static_cast<std::size_t>(found - e.up_to.begin())];
+        while (triangle + 1 < e.up_to.size() && e.up_to[triangle] <= at) {
+            ++triangle;
+            within = 0;
+        }
+        const Triangle& t = *e.triangles[triangle];
+        const glm::dvec2 shift(random_unit(seed, 0, triangle), random_unit(seed, 1, triangle));
         samples.push_back(area_sample(t, flat.planes[static_cast<std::size_t>(t.plane)], radiance, e.area / static_cast<double>(own),
-                                      r2_sequence(static_cast<std::uint64_t>(k), shift)));
+                                      triangle_point(within, shift)));
     }
 }
 

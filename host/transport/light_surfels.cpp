@@ -3,10 +3,10 @@
 namespace pencil {
 
 void light_surfels(Kernels& kernels, const DeviceScene& scene, const Surfels& surfels, const LightSet& lights, Buffer<float>& outgoing,
-                   const std::string& what, int stride, int group) {
+                   const std::string& what, int stride, int group, uint seed) {
     kernels.get("light_surfels")
         .args(surfels.data, surfels.capacity, surfels.count, lights.samples, lights.maps.count, lights.maps.cops, lights.maps.cells,
-              lights.maps.groups, lights.maps.hits, scene.triangles, scene.planes, lights.maps.n, stride, group, outgoing, 1)
+              lights.maps.groups, lights.maps.hits, scene.triangles, scene.planes, lights.maps.n, stride, group, seed, outgoing, 1)
         .run(kernels.blocks(surfels.count), what);
 }
 

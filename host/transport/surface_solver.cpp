@@ -19,6 +19,15 @@ constexpr float kAlike = 0.7F;
 constexpr float kReach = 1.4F;
 constexpr int kMostRounds = 8;
 constexpr int kMostIterations = 512;
+/// Width of the maps of the world set: they are read through the maps of film pencils only.
+constexpr int kWorldMap = 8;
+/// Texels in a row that share their part of the light samples.
+constexpr int kLightGroup = 128;
+/// Rounds that fill what no pencil stands for, and their spacing relative to the first.
+constexpr int kFillRounds = 2;
+constexpr float kFillSpacing = 0.25F;
+/// The world's bounces stop at this share of the tolerance of the image.
+constexpr double kToleranceShare = 0.1;
 
 double reflecting_area(const FlatScene& flat) {
     double area = 0;
@@ -44,8 +53,9 @@ SurfaceSolver::SurfaceSolver(Kernels& kernels, const DeviceScene& scene, const F
     spacing_ = static_cast<float>(std::sqrt(0.7 * reflecting_area(flat) / options.pencils));
 }
 
-/// Surfels that no placed pencil stands for, thinned to the spacing.
-std::vector<int> SurfaceSolver::choose(const Surfels& surfels, int most) {
+/// Surfels not `covered` already that no placed pencil is near to, thinned to `spacing`; they count as placed.
+std::vector<int> SurfaceSolver::choose(const Surfels& surfels, const std::vector<bool>& skip, float spacing) {
+    const int most = world_.capacity() - world_.count;
     const auto field = [&](int f) {
         return surfels.data.read(static_cast<std::size_t>(f) * static_cast<std::size_t>(surfels.capacity),
                                  static_cast<std::size_t>(surfels.count));
@@ -53,11 +63,11 @@ std::vector<int> SurfaceSolver::choose(const Surfels& surfels, int most) {
     const std::vector<float> x = field(SURFEL_X), y = field(SURFEL_Y), z = field(SURFEL_Z), nx = field(SURFEL_NX), ny = field(SURFEL_NY),
                              nz = field(SURFEL_NZ);
     std::vector<int> chosen;
-    const auto key = [&](float v) { return static_cast<int>(std::floor(v / spacing_)); };
+    const auto key = [&](float v) { return static_cast<int>(std::floor(v / spacing)); };
     const std::size_t size = x.size(), stride = 7919;
     for (std::size_t k = 0, i = 0; k < size && static_cast<int>(chosen.size()) < most; ++k, i = (i + stride) % size) {
         const glm::vec3 p(x[i], y[i], z[i]), n(nx[i], ny[i], nz[i]);
-        if (n == glm::vec3(0)) continue;
+        if (n == glm::vec3(0) || (!skip.empty() && skip[i])) continue;
         bool covered = false;
         for (int dz = -1; dz <= 1 && !covered; ++dz)
             for (int dy = -1; dy <= 1 && !covered; ++dy)
@@ -65,7 +75,7 @@ std::vector<int> SurfaceSolver::choose(const Surfels& surfels, int most) {
                     const auto cell = cells_.find({key(p.x) + dx, key(p.y) + dy, key(p.z) + dz});
                     if (cell == cells_.end()) continue;
                     for (std::size_t other : cell->second)
-                        covered = covered || (glm::distance(glm::vec3(placed_[other].position), p) < spacing_ &&
+                        covered = covered || (glm::distance(glm::vec3(placed_[other].position), p) < spacing &&
                                               glm::dot(glm::vec3(placed_[other].normal), n) > kAlike);
                 }
         if (covered) continue;
@@ -79,16 +89,19 @@ std::vector<int> SurfaceSolver::choose(const Surfels& surfels, int most) {
     return chosen;
 }
 
+/// Room for the texels of one chunk.
+void SurfaceSolver::reserve(int texels) {
+    if (surfels_.capacity >= texels) return;
+    surfels_ = Surfels(kernels_.device(), texels, "surfels of surface pencils");
+    distances_ = Buffer<float>(kernels_.device(), static_cast<std::size_t>(surfels_.capacity), "distances of surface pencils");
+    outgoing_ = surfel_rgb(kernels_.device(), surfels_.capacity, "radiance to surface pencils");
+}
+
 void SurfaceSolver::gather(SurfacePencils& pencils, int first, int count, bool bounces) {
     const int chunk = std::max(kChunkSurfels / pencils.texels(), 1);
     for (int at = first; at < first + count; at += chunk) {
         const int part = std::min(chunk, first + count - at);
-        const int needed = surfel_capacity(part * pencils.texels());
-        if (surfels_.capacity < needed) {
-            surfels_ = Surfels(kernels_.device(), needed, "surfels of surface pencils");
-            distances_ = Buffer<float>(kernels_.device(), static_cast<std::size_t>(needed), "distances of surface pencils");
-            outgoing_ = surfel_rgb(kernels_.device(), needed, "radiance to surface pencils");
-        }
+        reserve(part * pencils.texels());
         trace_hemispheres(kernels_, scene_, bvh_, pencils, at, part, seed_, surfels_, distances_);
         outgoing_.fill_zero();
         emit_surfels(kernels_, scene_, surfels_, true, outgoing_);
@@ -101,55 +114,71 @@ void SurfaceSolver::gather(SurfacePencils& pencils, int first, int count, bool b
 }
 
 void SurfaceSolver::solve(SurfacePencils& seeds, int orders) {
-    const int n = 8;
-    world_ = SurfacePencils(kernels_.device(), 4 * options_.pencils, n);
+    world_ = SurfacePencils(kernels_.device(), 6 * options_.pencils, kWorldMap);
     clock_.run("world pencils", [&] {
-        surfels_ = Surfels(kernels_.device(), seeds.count * seeds.texels(), "surfels of surface pencils");
-        distances_ = Buffer<float>(kernels_.device(), static_cast<std::size_t>(surfels_.capacity), "distances of surface pencils");
-        outgoing_ = surfel_rgb(kernels_.device(), surfels_.capacity, "radiance to surface pencils");
+        reserve(seeds.count * seeds.texels());
         trace_hemispheres(kernels_, scene_, bvh_, seeds, 0, seeds.count, seed_, surfels_, distances_);
         for (int round = 0; round < kMostRounds; ++round) {
             const int before = world_.count;
-            place_surface_pencils(kernels_, surfels_, choose(surfels_, world_.capacity() - before), kReach * spacing_, world_);
+            place_surface_pencils(kernels_, surfels_, choose(surfels_, {}, spacing_), kReach * spacing_, world_);
             if (world_.count == before) break;
             gather(world_, before, world_.count - before, false);
         }
-        grid_ = DeviceGrid(kernels_.device(), placed_, flat_);
+        link();
+        for (int round = 0; round < kFillRounds && fill(); ++round) link();
     });
     clock_.run("world bounces", [&] { iterate(orders); });
 }
 
-void SurfaceSolver::iterate(int orders) {
+/// What all texels of the world set see, and the pencils that stand for it.
+void SurfaceSolver::link() {
+    Kernels& k = kernels_;
     const int texels = world_.count * world_.texels();
-    Surfels surfels(kernels_.device(), texels, "surfels of the world set");
-    Buffer<float> distances(kernels_.device(), static_cast<std::size_t>(surfels.capacity), "distances");
-    Buffer<glm::ivec4> links(kernels_.device(), static_cast<std::size_t>(texels), "links of the world set");
-    Buffer<float4> factors(kernels_.device(), static_cast<std::size_t>(texels), "link weights of the world set");
-    trace_hemispheres(kernels_, scene_, bvh_, world_, 0, world_.count, seed_, surfels, distances);
+    world_surfels_ = Surfels(k.device(), texels, "surfels of the world set");
+    Buffer<float> distances(k.device(), static_cast<std::size_t>(world_surfels_.capacity), "distances of the world set");
+    links_ = Buffer<glm::ivec4>(k.device(), static_cast<std::size_t>(texels), "links of the world set");
+    factors_ = Buffer<float4>(k.device(), static_cast<std::size_t>(texels), "link weights of the world set");
+    grid_ = DeviceGrid(k.device(), placed_, flat_);
+    trace_hemispheres(kernels_, scene_, bvh_, world_, 0, world_.count, seed_, world_surfels_, distances);
     kernels_.get("link_surfels")
-        .args(surfels.data, surfels.capacity, surfels.count, world_.data, grid_.grid, grid_.starts, grid_.entries, links, factors)
-        .run(static_cast<std::size_t>(surfels.count), "link surfels");
+        .args(world_surfels_.data, world_surfels_.capacity, world_surfels_.count, world_.data, grid_.grid, grid_.starts, grid_.entries, links_,
+              factors_)
+        .run(static_cast<std::size_t>(world_surfels_.count), "link surfels");
+}
+
+/// Pencils where texels of the world set see surfaces that none of it stands for: behind edges and in corners. False if there are none.
+bool SurfaceSolver::fill() {
+    const std::vector<glm::ivec4> links = links_.read();
+    std::vector<bool> linked(links.size());
+    for (std::size_t i = 0; i < links.size(); ++i) linked[i] = links[i].x >= 0;
+    const int before = world_.count;
+    cells_.clear();
+    place_surface_pencils(kernels_, world_surfels_, choose(world_surfels_, linked, kFillSpacing * spacing_), kReach * spacing_, world_);
+    if (world_.count > before) gather(world_, before, world_.count - before, false);
+    return world_.count > before;
+}
+
+void SurfaceSolver::iterate(int orders) {
     std::vector<SurfacePencil> pencils = world_.data.read(0, static_cast<std::size_t>(world_.count));
     std::vector<float4> start;
     for (const SurfacePencil& p : pencils) start.push_back(p.irradiance);
     Buffer<float4> source(kernels_.device(), start, "irradiance"), target(kernels_.device(), start, "irradiance"),
         total(kernels_.device(), start, "irradiance of all bounces");
-    double sum = 0, last = 0;
     const auto power = [](const std::vector<float4>& e) {
         double s = 0;
         for (const float4& v : e) s += static_cast<double>(v.x + v.y + v.z);
         return s;
     };
-    sum = power(start);
+    double sum = power(start), last = 0;
     const int most = orders < 0 ? kMostIterations : std::max(orders - 2, 0);
     for (int k = 0; k < most; ++k) {
         kernels_.get("transport_irradiance")
-            .args(surfels.data, surfels.capacity, links, factors, world_.count, world_.n, source, target, total)
+            .args(world_surfels_.data, world_surfels_.capacity, links_, factors_, world_.count, world_.n, source, target, total)
             .run(static_cast<std::size_t>(world_.count), "transport irradiance", 8);
         std::swap(source, target);
         last = power(source.read());
         sum += last;
-        if (orders < 0 && last < options_.tolerance * 0.1 * sum) break;
+        if (orders < 0 && last < options_.tolerance * kToleranceShare * sum) break;
     }
     residual_ = sum > 0 ? last / sum : 0;
     const std::vector<float4> all = total.read();

@@ -23,8 +23,10 @@ public:
     double residual() const { return residual_; }
 
 private:
-    float spacing() const;
-    std::vector<int> choose(const Surfels& surfels, int most);
+    std::vector<int> choose(const Surfels& surfels, const std::vector<bool>& skip, float spacing);
+    void reserve(int texels);
+    void link();
+    bool fill();
     void iterate(int orders);
 
     Kernels& kernels_;
@@ -37,7 +39,9 @@ private:
     uint seed_;
     SurfacePencils world_;
     DeviceGrid grid_;
-    Surfels surfels_;
+    Surfels surfels_, world_surfels_;
+    Buffer<glm::ivec4> links_;
+    Buffer<float4> factors_;
     Buffer<float> distances_, outgoing_;
     float spacing_ = 0;
     double residual_ = 0;

@@ -1,19 +1,12 @@
 // The map of a surface pencil: n x n texels over the hemisphere about a normal, of equal cosine-weighted solid angle pi / n^2, by the
 // concentric map of square to disc (Shirley and Chiu 1997) and Malley's projection of the disc. DEVIATION: not octahedral: an octahedral
 // map would spend half of its texels below the surface and most of the others where the cosine is small. Each texel is seen through one
-// point of it, drawn at random for each pencil: sums over texels are unbiased. n is a multiple of 4. Needs packet.cl.
+// point of it, drawn at random for each pencil: sums over texels are unbiased. n is a multiple of 4. Needs packet.cl, hash.cl.
 
 /// Texel of map entry `i`: entries run through blocks of 4 x 4 texels, so that packets see neighbouring things.
 inline int2 hemisphere_texel(int i, int n) {
     int block = i / 16, lane = i % 16;
     return (int2)(block % (n / 4) * 4 + lane % 4, block / (n / 4) * 4 + lane / 4);
-}
-
-/// Two random numbers in [0, 1) per lane from one counter: the PCG hash of 32 bits (Jarzynski and Olano 2020), twice.
-inline vuint hash_packet(vuint v) {
-    vuint state = v * 747796405u + 2891336453u;
-    vuint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
-    return (word >> 22u) ^ word;
 }
 
 /// Point of the unit disc for a point of the square [-1, 1]^2.
