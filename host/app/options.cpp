@@ -66,15 +66,10 @@ void add_solver_options(CLI::App& app, RenderCommand& command) {
     RenderOptions& options = command.options;
     const int many = 1 << 20;
     add_choice(app, "--method", options.method, methods, "Line projection (the thesis' method) or pencils on surfaces");
-    add_integer(app, "--light-stride", options.light_stride, 1, 4096, "x");
-    add_integer(app, "--passes", options.passes, 1, 100000, "x");
-    add_integer(app, "--film-map", options.film_map, 4, 256, "x");
-    add_integer(app, "--coarsest", options.coarsest, 1, 64, "x");
-    add_integer(app, "--finest", options.finest, 1, 64, "x");
-    add(app, "--smooth", "x", "X", "",
-        [&options](const std::string& text) { options.smooth = static_cast<float>(parse_real(text, 0, false, 100)); });
-    add(app, "--most-error", "x", "X", "",
-        [&options](const std::string& text) { options.most_error = static_cast<float>(parse_real(text, 0, false, 100)); });
+    add(app, "--time", "Surface method: seconds to render for, instead of --target-error (above 0)", "S", "",
+        [&options](const std::string& text) { options.seconds = parse_real(text, 0, false, 1e6); });
+    add(app, "--target-error", "Surface method: stop at this estimated relMSE (above 0)", "E", format_real(options.target_error),
+        [&options](const std::string& text) { options.target_error = parse_real(text, 0, false, 1e6); });
     add_integer(app, "--pencils", options.pencils, 1, many, "Pencils of the first set");
     add(app, "--decay", "Size of each further set relative to the last (above 0, at most 1)", "X", format_real(options.decay),
         [&options](const std::string& text) { options.decay = parse_real(text, 0, false, 1); });

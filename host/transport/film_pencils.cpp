@@ -46,7 +46,7 @@ void FilmPencils::refine(SurfaceSolver& solver) {
     Buffer<unsigned char> uncovered(kernels_.device(), counts_.size(), "uncovered pixels");
     solver.gather(pencils_, gathered_, pencils_.count - gathered_, true);
     gathered_ = pencils_.count;
-    for (int spacing = lattice_.coarsest; spacing > lattice_.finest; spacing /= 2) {
+    for (int spacing = lattice_.coarsest; spacing > lattice_.finest && !solver.stopped(); spacing /= 2) {
         kernels_.get("cover_film")
             .args(film_.surfels().data, film_.surfels().capacity, film_.counts(), film_.first_surfel(), pencils_.data, pencil_at_,
                   lattice_.coarsest, spacing, lattice_.most_error, width, height, uncovered)

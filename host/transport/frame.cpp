@@ -13,9 +13,9 @@ namespace {
 constexpr int kLightMapFactor = 4;
 constexpr int kLargestLightMap = 256;
 
-int light_map_size(int map) { return std::max(map, std::min(kLightMapFactor * map, kLargestLightMap)); }
-
 }  // namespace
+
+int light_map_size(int map) { return std::max(map, std::min(kLightMapFactor * map, kLargestLightMap)); }
 
 RenderContext::RenderContext(const Scene& scene_to_render, const RenderOptions& render_options, std::shared_ptr<Device> device,
                              const Progress& progress)
@@ -29,21 +29,21 @@ RenderContext::RenderContext(const Scene& scene_to_render, const RenderOptions& 
     for (std::size_t i = 0; i < forms.size(); ++i) maps_emit = maps_emit || (scene.shapes[i].emits && forms[i] == LightForm::maps);
 }
 
-Frame::Frame(RenderContext& context, const std::vector<std::string>& aovs, std::uint64_t seed) : context_(context), layers_(aovs) {
+Frame::Frame(RenderContext& context, const std::vector<std::string>& aovs, int light_samples, int light_map, std::uint64_t seed)
+    : context_(context), layers_(aovs) {
     Kernels& kernels = context.kernels;
     context.clock.run("film geometry", [&] {
         film_ = std::make_unique<Film>(kernels, context.device_scene, context.flat.camera, context.scene.sensor.filter, seed);
     });
-    context.clock.run("light sample maps", [&] { make_lights(seed); });
+    context.clock.run("light sample maps", [&] { make_lights(light_samples, light_map, seed); });
     context.clock.run("surface layers", [&] { layers_.add_surfaces(kernels, context.device_scene, context.flat, *film_); });
 }
 
-void Frame::make_lights(std::uint64_t seed) {
-    const RenderOptions& options = context_.options;
-    if (options.bounces == 0) return;  // emission only
-    const std::vector<LightSample> samples = sample_lights(context_.scene, context_.flat, context_.forms, options.light_samples, seed);
+void Frame::make_lights(int count, int map, std::uint64_t seed) {
+    if (context_.options.bounces == 0) return;  // emission only
+    const std::vector<LightSample> samples = sample_lights(context_.scene, context_.flat, context_.forms, count, seed);
     if (samples.empty()) return;
-    lights_ = LightSet(context_.kernels.device(), samples, light_map_size(options.map));
+    lights_ = LightSet(context_.kernels.device(), samples, map);
     rasterize_octahedral(context_.kernels, context_.device_scene, lights_.maps, 0, lights_.maps.count);
 }
 

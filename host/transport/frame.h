@@ -11,6 +11,9 @@
 
 namespace pencil {
 
+/// Width of the maps of light samples beside pencil maps of width `map`.
+int light_map_size(int map);
+
 /// What is made once per render, whatever the method and however many frames it takes.
 struct RenderContext {
     RenderContext(const Scene& scene, const RenderOptions& options, std::shared_ptr<Device> device, const Progress& progress);
@@ -32,7 +35,7 @@ struct RenderContext {
 class Frame {
 public:
     /// Makes film geometry, light samples with their maps, and the surface layers. `seed` of the film's and the lights' samples.
-    Frame(RenderContext& context, const std::vector<std::string>& aovs, std::uint64_t seed);
+    Frame(RenderContext& context, const std::vector<std::string>& aovs, int light_samples, int light_map, std::uint64_t seed);
 
     /// True if no light reaches anything: no light sample, no emitter carried by the maps.
     bool dark() const { return lights_.maps.count == 0 && !context_.maps_emit; }
@@ -50,7 +53,7 @@ public:
     std::vector<Layer> take_layers() { return layers_.take(film_->width(), film_->height()); }
 
 private:
-    void make_lights(std::uint64_t seed);
+    void make_lights(int samples, int map, std::uint64_t seed);
 
     RenderContext& context_;
     FilmLayers layers_;

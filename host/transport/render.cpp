@@ -1,5 +1,6 @@
 #include "transport/render.h"
 
+#include <chrono>
 #include <cmath>
 
 #include "pencils/low_discrepancy.h"
@@ -13,6 +14,9 @@ namespace pencil {
 
 namespace {
 
+/// A target that is never met ends here.
+constexpr int kMostPasses = 1 << 14;
+
 /// One render from start to end.
 class Renderer {
 public:
@@ -25,7 +29,7 @@ public:
         check_memory();
         context_.stats.explain =
             explain(context_.scene, context_.options, context_.forms, context_.kernels.features(), *context_.kernels.device());
-        return context_.options.method == Method::line ? finish(render_frame(nullptr, context_.options.seed)) : render_passes();
+        return context_.options.method == Method::line ? render_line() : render_passes();
     }
 
 private:
@@ -51,36 +55,62 @@ private:
                               std::to_string(static_cast<long long>(available / (1 << 20))) + " MiB exist; use a smaller --resolution");
     }
 
-    /// `bvh` only for the surface method.
-    std::vector<Layer> render_frame(const DeviceBvh* bvh, std::uint64_t seed) {
-        Frame frame(context_, aovs_, seed);
-        const bool dark = context_.options.bounces != 0 && frame.dark();
-        if (dark && context_.stats.warnings.empty()) context_.stats.warnings.push_back("the scene has no light: the image is black");
-        if (!dark && context_.options.bounces != 0 && !context_.clock.stopped()) {
-            frame.add_direct();
-            if (bvh)
-                add_surface_bounces(context_, *bvh, frame, seed);
-            else
-                add_line_bounces(context_, frame);
-        }
-        context_.stats.film_surfels = static_cast<std::uint64_t>(frame.film().surfels().count);
-        return frame.take_layers();
+    RenderResult render_line() {
+        const RenderOptions& options = context_.options;
+        Frame frame(context_, aovs_, options.light_samples, light_map_size(options.map), options.seed);
+        if (add_direct(frame)) add_line_bounces(context_, frame);
+        return finish(frame.take_layers());
+    }
+
+    /// False if nothing more can be added: no light, no reflections wanted, or interrupted.
+    bool add_direct(Frame& frame) {
+        RenderStats& stats = context_.stats;
+        stats.film_surfels = static_cast<std::uint64_t>(frame.film().surfels().count);
+        if (context_.options.bounces == 0) return false;
+        if (frame.dark() && stats.warnings.empty()) stats.warnings.push_back("the scene has no light: the image is black");
+        if (frame.dark() || context_.clock.stopped()) return false;
+        frame.add_direct();
+        return true;
     }
 
     /// Independent images until time or error tell to stop; their mean is the result.
     RenderResult render_passes() {
-        const RenderOptions& options = context_.options;
         std::unique_ptr<DeviceBvh> bvh;
-        context_.clock.run("hierarchy",
-                           [&] { bvh = std::make_unique<DeviceBvh>(context_.kernels.device(), build_bvh(context_.flat.triangles)); });
+        context_.clock.run("hierarchy", [&] {
+            bvh = std::make_unique<DeviceBvh>(context_.kernels.device(), build_bvh(context_.flat.triangles));
+        });
+        const std::uint64_t seed = hash64(context_.options.seed);
         LayerMean mean;
-        for (int pass = 0; pass < options.passes && !(pass > 0 && context_.clock.stopped()); ++pass) {
-            std::vector<Layer> layers = render_frame(bvh.get(), hash64(options.seed) + static_cast<std::uint64_t>(pass));
-            if (pass == 0 || !context_.clock.stopped()) mean.add(std::move(layers), 1.0);
+        double spent = seconds();
+        for (int index = 0;; ++index) {
+            const SurfacePass pass = surface_pass(index, context_.options);
+            Frame frame(context_, aovs_, pass.light_samples, pass.light_map, seed + static_cast<std::uint64_t>(index));
+            const bool lit = add_direct(frame);
+            if (lit) add_surface_bounces(context_, *bvh, pass, frame, seed + static_cast<std::uint64_t>(index));
+            if (index > 0 && context_.clock.stopped()) break;  // half a pass is worth nothing beside whole ones
+            mean.add(frame.take_layers(), pass.weight);
+            const double now = seconds();
+            if (!lit || context_.clock.stopped() || enough(mean, index, (now - spent) / pass.weight)) break;
+            spent = now;
         }
+        context_.stats.passes = mean.count();
         context_.stats.estimated_error = mean.relative_mean_square_error();
         return finish(mean.take(true));
     }
+
+    /// True if the next pass is not needed or would not end in time; `pace`: seconds per unit of work.
+    bool enough(const LayerMean& mean, int index, double pace) {
+        const RenderOptions& options = context_.options;
+        const double error = mean.relative_mean_square_error();
+        if (options.seconds > 0) {
+            context_.clock.set_fraction(std::min(seconds() / options.seconds, 1.0));
+            return seconds() + pace * surface_pass(index + 1, options).weight > options.seconds;
+        }
+        if (mean.count() >= 2) context_.clock.set_fraction(std::min(options.target_error / error, 1.0));
+        return error <= options.target_error || index + 1 >= kMostPasses;
+    }
+
+    double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
 
     RenderResult finish(std::vector<Layer> layers) {
         RenderResult result;
@@ -97,6 +127,7 @@ private:
     }
 
     std::vector<std::string> aovs_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     RenderContext context_;
 };
 

@@ -41,16 +41,16 @@ double reflecting_area(const FlatScene& flat) {
 }  // namespace
 
 SurfaceSolver::SurfaceSolver(Kernels& kernels, const DeviceScene& scene, const FlatScene& flat, const DeviceBvh& bvh,
-                             const LightSet& lights, const RenderOptions& options, StageClock& clock, std::uint64_t seed)
+                             const LightSet& lights, const WorldSet& set, StageClock& clock, std::uint64_t seed)
     : kernels_(kernels),
       scene_(scene),
       flat_(flat),
       bvh_(bvh),
       lights_(lights),
-      options_(options),
+      set_(set),
       clock_(clock),
       seed_(static_cast<uint>(hash64(seed + 17) >> 32)) {
-    spacing_ = static_cast<float>(std::sqrt(0.7 * reflecting_area(flat) / options.pencils));
+    spacing_ = static_cast<float>(std::sqrt(0.7 * reflecting_area(flat) / set.pencils));
 }
 
 /// Surfels not `covered` already that no placed pencil is near to, thinned to `spacing`; they count as placed.
@@ -106,15 +106,15 @@ void SurfaceSolver::gather(SurfacePencils& pencils, int first, int count, bool b
         outgoing_.fill_zero();
         emit_surfels(kernels_, scene_, surfels_, true, outgoing_);
         if (lights_.maps.count > 0)
-            light_surfels(kernels_, scene_, surfels_, lights_, outgoing_, "direct light to surface pencils", options_.light_stride,
+            light_surfels(kernels_, scene_, surfels_, lights_, outgoing_, "direct light to surface pencils", set_.light_stride,
                           pencils.texels());
         if (bounces) project_surface_pencils(kernels_, surfels_, world_, grid_, outgoing_);
         sum_hemispheres(kernels_, outgoing_, distances_, surfels_.capacity, at, part, pencils);
     }
 }
 
-void SurfaceSolver::solve(SurfacePencils& seeds, int orders) {
-    world_ = SurfacePencils(kernels_.device(), 6 * options_.pencils, kWorldMap);
+void SurfaceSolver::solve(SurfacePencils& seeds, int orders, double tolerance) {
+    world_ = SurfacePencils(kernels_.device(), 6 * set_.pencils, kWorldMap);
     clock_.run("world pencils", [&] {
         reserve(seeds.count * seeds.texels());
         trace_hemispheres(kernels_, scene_, bvh_, seeds, 0, seeds.count, seed_, surfels_, distances_);
@@ -127,7 +127,7 @@ void SurfaceSolver::solve(SurfacePencils& seeds, int orders) {
         link();
         for (int round = 0; round < kFillRounds && fill(); ++round) link();
     });
-    clock_.run("world bounces", [&] { iterate(orders); });
+    clock_.run("world bounces", [&] { iterate(orders, tolerance); });
 }
 
 /// What all texels of the world set see, and the pencils that stand for it.
@@ -158,7 +158,7 @@ bool SurfaceSolver::fill() {
     return world_.count > before;
 }
 
-void SurfaceSolver::iterate(int orders) {
+void SurfaceSolver::iterate(int orders, double tolerance) {
     std::vector<SurfacePencil> pencils = world_.data.read(0, static_cast<std::size_t>(world_.count));
     std::vector<float4> start;
     for (const SurfacePencil& p : pencils) start.push_back(p.irradiance);
@@ -178,7 +178,7 @@ void SurfaceSolver::iterate(int orders) {
         std::swap(source, target);
         last = power(source.read());
         sum += last;
-        if (orders < 0 && last < options_.tolerance * kToleranceShare * sum) break;
+        if (orders < 0 && last < tolerance * kToleranceShare * sum) break;
     }
     residual_ = sum > 0 ? last / sum : 0;
     const std::vector<float4> all = total.read();

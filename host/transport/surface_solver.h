@@ -7,19 +7,26 @@
 
 namespace pencil {
 
+/// How finely the world set is sampled.
+struct WorldSet {
+    int pencils = 1000;    // about so many if every surface reflects light that matters
+    int light_stride = 4;  // texels take every so many-th light sample
+};
+
 class SurfaceSolver {
 public:
     SurfaceSolver(Kernels& kernels, const DeviceScene& scene, const FlatScene& flat, const DeviceBvh& bvh, const LightSet& lights,
-                  const RenderOptions& options, StageClock& clock, std::uint64_t seed);
+                  const WorldSet& set, StageClock& clock, std::uint64_t seed);
 
     /// Places pencils on what the texels of `seeds` see, then on what those see, and so on, until the surfaces that matter are covered;
     /// then iterates bounces. Orders of reflection up to `orders` (-1: until the tolerance).
-    void solve(SurfacePencils& seeds, int orders);
+    void solve(SurfacePencils& seeds, int orders, double tolerance);
 
     /// What the texels of pencils first .. first + count of a set send, and with it their sums. `bounces`: with the world set's irradiance.
     void gather(SurfacePencils& pencils, int first, int count, bool bounces);
 
     const SurfacePencils& world() const { return world_; }
+    bool stopped() const { return clock_.stopped(); }
     double residual() const { return residual_; }
 
 private:
@@ -27,14 +34,14 @@ private:
     void reserve(int texels);
     void link();
     bool fill();
-    void iterate(int orders);
+    void iterate(int orders, double tolerance);
 
     Kernels& kernels_;
     const DeviceScene& scene_;
     const FlatScene& flat_;
     const DeviceBvh& bvh_;
     const LightSet& lights_;
-    const RenderOptions& options_;
+    WorldSet set_;
     StageClock& clock_;
     uint seed_;
     SurfacePencils world_;
