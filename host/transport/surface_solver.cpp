@@ -12,13 +12,13 @@ namespace pencil {
 namespace {
 
 /// Texels that are worked on at once: bounds memory and the length of a launch.
-constexpr int kChunkSurfels = 1 << 20;
+constexpr int chunk_surfels = 1 << 20;
 /// Pencils further apart than this in their normals do not stand for each other (REUSE_LEAST_COSINE is the looser bound of use).
-constexpr float kAlike = 0.7F;
+constexpr float alike = 0.7F;
 /// A pencil is used up to this many spacings away.
-constexpr float kReach = 1.4F;
-constexpr int kMostRounds = 8;
-constexpr int kMostIterations = 512;
+constexpr float reach = 1.4F;
+constexpr int most_rounds = 8;
+constexpr int most_iterations = 512;
 
 double reflecting_area(const FlatScene& flat) {
     double area = 0;
@@ -66,12 +66,12 @@ std::vector<int> SurfaceSolver::choose(const Surfels& surfels, int most) {
                     if (cell == cells_.end()) continue;
                     for (std::size_t other : cell->second)
                         covered = covered || (glm::distance(glm::vec3(placed_[other].position), p) < spacing_ &&
-                                              glm::dot(glm::vec3(placed_[other].normal), n) > kAlike);
+                                              glm::dot(glm::vec3(placed_[other].normal), n) > alike);
                 }
         if (covered) continue;
         SurfacePencil pencil{};
         pencil.position = float4(p, 0);
-        pencil.normal = float4(n, kReach * spacing_);
+        pencil.normal = float4(n, reach * spacing_);
         cells_[{key(p.x), key(p.y), key(p.z)}].push_back(placed_.size());
         placed_.push_back(pencil);
         chosen.push_back(static_cast<int>(i));
@@ -80,7 +80,7 @@ std::vector<int> SurfaceSolver::choose(const Surfels& surfels, int most) {
 }
 
 void SurfaceSolver::gather(SurfacePencils& pencils, int first, int count, bool bounces) {
-    const int chunk = std::max(kChunkSurfels / pencils.texels(), 1);
+    const int chunk = std::max(chunk_surfels / pencils.texels(), 1);
     for (int at = first; at < first + count; at += chunk) {
         const int part = std::min(chunk, first + count - at);
         const int needed = surfel_capacity(part * pencils.texels());
@@ -108,9 +108,9 @@ void SurfaceSolver::solve(SurfacePencils& seeds, int orders) {
         distances_ = Buffer<float>(kernels_.device(), static_cast<std::size_t>(surfels_.capacity), "distances of surface pencils");
         outgoing_ = surfel_rgb(kernels_.device(), surfels_.capacity, "radiance to surface pencils");
         trace_hemispheres(kernels_, scene_, bvh_, seeds, 0, seeds.count, seed_, surfels_, distances_);
-        for (int round = 0; round < kMostRounds; ++round) {
+        for (int round = 0; round < most_rounds; ++round) {
             const int before = world_.count;
-            place_surface_pencils(kernels_, surfels_, choose(surfels_, world_.capacity() - before), kReach * spacing_, world_);
+            place_surface_pencils(kernels_, surfels_, choose(surfels_, world_.capacity() - before), reach * spacing_, world_);
             if (world_.count == before) break;
             gather(world_, before, world_.count - before, false);
         }
@@ -141,7 +141,7 @@ void SurfaceSolver::iterate(int orders) {
         return s;
     };
     sum = power(start);
-    const int most = orders < 0 ? kMostIterations : std::max(orders - 2, 0);
+    const int most = orders < 0 ? most_iterations : std::max(orders - 2, 0);
     for (int k = 0; k < most; ++k) {
         kernels_.get("transport_irradiance")
             .args(surfels.data, surfels.capacity, links, factors, world_.count, world_.n, source, target, total)
