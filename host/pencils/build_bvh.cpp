@@ -13,16 +13,16 @@ namespace pencil {
 namespace {
 
 /// Boxes are wider than their triangles by this, so that rounding cuts nothing off (PLANE_TOLERANCE of kernels/lib/triangle.cl).
-constexpr float kWiden = 1e-6F;
+constexpr float widen = 1e-6F;
 /// Packets share the set-up of a triangle, so leaves may be larger than those of single rays.
-constexpr unsigned kLeafTriangles = 4;
+constexpr unsigned leaf_triangles = 4;
 
 /// Node of the builder: inner (two children with bounds) or leaf (its triangles).
 struct BuildNode {
     BuildNode* children[2] = {nullptr, nullptr};
     RTCBounds bounds[2]{};
     unsigned count = 0;
-    unsigned triangles[kLeafTriangles]{};
+    unsigned triangles[leaf_triangles]{};
 };
 
 void* create_node(RTCThreadLocalAllocator allocator, unsigned, void*) {
@@ -89,8 +89,8 @@ public:
 
     void add_child(int index, int k, const RTCBounds& b, const BuildNode& child, int level) {
         BvhNode& node = bvh_.nodes[static_cast<std::size_t>(index)];
-        node.low[k] = float4(b.lower_x - kWiden, b.lower_y - kWiden, b.lower_z - kWiden, 0.0F);
-        node.high[k] = float4(b.upper_x + kWiden, b.upper_y + kWiden, b.upper_z + kWiden, 0.0F);
+        node.low[k] = float4(b.lower_x - widen, b.lower_y - widen, b.lower_z - widen, 0.0F);
+        node.high[k] = float4(b.upper_x + widen, b.upper_y + widen, b.upper_z + widen, 0.0F);
         if (child.count > 0) {
             node.child[k] = static_cast<int>(bvh_.leaves.size());
             node.count[k] = static_cast<int>(child.count);
@@ -128,7 +128,7 @@ Bvh build_bvh(const std::vector<Triangle>& triangles) {
     arguments.maxBranchingFactor = 2;
     arguments.maxDepth = BVH_MOST_LEVELS;
     arguments.minLeafSize = 1;
-    arguments.maxLeafSize = kLeafTriangles;
+    arguments.maxLeafSize = leaf_triangles;
     arguments.bvh = builder.get();
     arguments.primitives = primitives.data();
     arguments.primitiveCount = arguments.primitiveArrayCapacity = primitives.size();

@@ -8,7 +8,7 @@ namespace pencil {
 namespace {
 
 /// Vertices this near a plane, relative to the scene's half extent, lie in it: the rounding of float input coordinates.
-constexpr double kCoplanar = 2e-7;
+constexpr double coplanar = 2e-7;
 
 struct Plane3 {
     glm::dvec3 normal;
@@ -44,7 +44,7 @@ Plane3 plane_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
 bool contains(const Plane3& plane, const Plane3& other, const glm::dvec3* corners) {
     if (glm::dot(plane.normal, other.normal) < 0.9) return false;
     for (int k = 0; k < 3; ++k)
-        if (std::abs(glm::dot(plane.normal, corners[k]) - plane.distance) > kCoplanar) return false;
+        if (std::abs(glm::dot(plane.normal, corners[k]) - plane.distance) > coplanar) return false;
     return true;
 }
 
@@ -75,15 +75,15 @@ void flatten_triangles(const Scene& scene, FlatScene& flat) {
 
 /// Counts the mates of each triangle: neighbours in the list that share its plane.
 void count_mates(std::vector<Triangle>& triangles) {
-    constexpr std::ptrdiff_t kMostMates = 2;  // on each side: walls of two triangles, polygons of up to three have all of theirs
+    constexpr std::ptrdiff_t most_mates = 2;  // on each side: walls of two triangles, polygons of up to three have all of theirs
     const auto size = static_cast<std::ptrdiff_t>(triangles.size());
     auto same = [&](std::ptrdiff_t i, std::ptrdiff_t k) {
         return k >= 0 && k < size && triangles[static_cast<std::size_t>(k)].plane == triangles[static_cast<std::size_t>(i)].plane;
     };
     for (std::ptrdiff_t i = 0; i < size; ++i) {
         int before = 0, after = 0;
-        while (before < kMostMates && same(i, i - before - 1)) ++before;
-        while (after < kMostMates && same(i, i + after + 1)) ++after;
+        while (before < most_mates && same(i, i - before - 1)) ++before;
+        while (after < most_mates && same(i, i + after + 1)) ++after;
         triangles[static_cast<std::size_t>(i)].mates = before | after << 8;
     }
 }

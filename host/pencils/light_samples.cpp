@@ -9,7 +9,7 @@ namespace pencil {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
+constexpr double pi = 3.14159265358979323846;
 
 double luminance(const glm::vec3& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
 
@@ -44,7 +44,7 @@ LightSample area_sample(const Triangle& t, const float4& plane, const glm::dvec3
     const Corners p = corners_of(t);
     LightSample s{};
     s.position = float4(glm::vec3(b.x * p.a + b.y * p.b + b.z * p.c), 1.0F);
-    s.normal = float4(glm::vec3(plane), static_cast<float>(area / kPi));
+    s.normal = float4(glm::vec3(plane), static_cast<float>(area / pi));
     s.emission = float4(glm::vec3(radiance * area), static_cast<float>(t.plane));
     return s;
 }
@@ -96,7 +96,7 @@ std::vector<LightForm> choose_light_forms(const Scene& scene, bool all_samples, 
     double total = std::accumulate(areas.begin(), areas.end(), 0.0);
     std::vector<LightForm> forms(scene.shapes.size(), LightForm::samples);
     for (std::size_t i = 0; i < forms.size(); ++i) {
-        bool large = areas[i] > kLargeEmitter * total;
+        bool large = areas[i] > large_emitter * total;
         if (scene.shapes[i].emits && (all_maps || (large && !all_samples))) forms[i] = LightForm::maps;
     }
     return forms;

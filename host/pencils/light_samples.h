@@ -13,10 +13,10 @@ namespace pencil {
 std::vector<LightSample> sample_lights(const Scene& scene, const FlatScene& flat, const std::vector<LightForm>& forms, int count,
                                        std::uint64_t seed);
 
-/// `automatic` per emitting shape: an emitter of more than kLargeEmitter of the scene's surface is carried by the maps.
+/// `automatic` per emitting shape: an emitter of more than large_emitter of the scene's surface is carried by the maps.
 std::vector<LightForm> choose_light_forms(const Scene& scene, bool all_samples, bool all_maps);
 
 /// Share of the scene's surface above which point samples of an emitter lie too near what they light.
-constexpr double kLargeEmitter = 0.05;
+constexpr double large_emitter = 0.05;
 
 }  // namespace pencil

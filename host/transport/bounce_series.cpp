@@ -22,7 +22,7 @@ glm::dvec3 BounceSeries::ratio() const {
     const std::size_t steps = std::min<std::size_t>(2, means_.size() - 1);
     const glm::dvec3 &last = means_.back(), &first = means_[means_.size() - 1 - steps];
     for (int c = 0; c < 3; ++c)
-        if (first[c] > 0) r[c] = std::min(std::pow(last[c] / first[c], 1.0 / static_cast<double>(steps)), kLargestRatio);
+        if (first[c] > 0) r[c] = std::min(std::pow(last[c] / first[c], 1.0 / static_cast<double>(steps)), largest_ratio);
     return r;
 }
 

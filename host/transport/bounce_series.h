@@ -14,12 +14,12 @@ public:
     std::size_t steps() const { return means_.size(); }
     /// The last order relative to the sum, largest channel; 1 before anything was added, 0 if there is no light.
     double last_share() const;
-    /// Ratio of successive orders per channel over the last two steps, below kLargestRatio.
+    /// Ratio of successive orders per channel over the last two steps, below largest_ratio.
     glm::dvec3 ratio() const;
     /// Sum of all orders that follow the last, relative to the last: r / (1 - r).
     glm::dvec3 tail_factor() const;
 
-    static constexpr double kLargestRatio = 0.999;
+    static constexpr double largest_ratio = 0.999;
 
 private:
     std::vector<glm::dvec3> means_;

@@ -11,7 +11,7 @@ std::string light_sentence(const Scene& scene, const std::vector<LightForm>& for
     for (std::size_t i = 0; i < scene.shapes.size(); ++i)
         if (scene.shapes[i].emits) ++(forms[i] == LightForm::maps ? maps : samples);
     std::string why = initial == Initial::automatic
-                          ? " (auto: an emitter of more than " + std::to_string(static_cast<int>(100 * kLargeEmitter)) +
+                          ? " (auto: an emitter of more than " + std::to_string(static_cast<int>(100 * large_emitter)) +
                                 " % of the scene's surface is carried by the maps)"
                           : " (as asked)";
     return "direct light: " + std::to_string(scene.point_lights.size()) + " point lights and " + std::to_string(samples) +

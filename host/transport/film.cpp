@@ -9,19 +9,19 @@ namespace pencil {
 namespace {
 
 /// Strips are as high as this much memory for hits allows: enough rows to keep all units busy, little beside the rest.
-constexpr std::size_t kStripBytes = std::size_t{96} << 20;
+constexpr std::size_t strip_bytes = std::size_t{96} << 20;
 /// Surfels are numbered through square blocks of pixels, so that neighbouring surfels see neighbouring things.
-constexpr int kNumberedBlock = 8;
+constexpr int numbered_block = 8;
 /// Rows per work-item of the film rasteriser, at least. Every band looks at every triangle, so their number is bounded.
-constexpr int kBandRows = 8;
-constexpr int kMostBands = 256;
+constexpr int band_rows = 8;
+constexpr int most_bands = 256;
 /// Surfels per pixel that the estimate assumes, and rgb layers held at once.
-constexpr double kSurfelsPerPixel = 1.2;
-constexpr int kLayersHeld = 4;
+constexpr double surfels_per_pixel = 1.2;
+constexpr int layers_held = 4;
 
 int rows_per_strip(const Camera& camera, int samples) {
     const std::size_t row = static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(samples) * sizeof(Hit);
-    return static_cast<int>(std::clamp<std::size_t>(kStripBytes / row, 1, static_cast<std::size_t>(camera.height)));
+    return static_cast<int>(std::clamp<std::size_t>(strip_bytes / row, 1, static_cast<std::size_t>(camera.height)));
 }
 
 std::size_t pixel_count(const Camera& camera) { return static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height); }
@@ -29,7 +29,7 @@ std::size_t pixel_count(const Camera& camera) { return static_cast<std::size_t>(
 }  // namespace
 
 double film_bytes(double pixels, int samples) {
-    return pixels * (samples + 1 + 4 + kSurfelsPerPixel * 4 * (SURFEL_FIELDS + 3 * kLayersHeld) + 3 * 4);
+    return pixels * (samples + 1 + 4 + surfels_per_pixel * 4 * (SURFEL_FIELDS + 3 * layers_held) + 3 * 4);
 }
 
 Film::Film(Kernels& kernels, const DeviceScene& scene, const Camera& camera, const ReconstructionFilter& filter, std::uint64_t seed)
@@ -60,7 +60,7 @@ Film::Film(Kernels& kernels, const DeviceScene& scene, const Camera& camera, con
 }
 
 void Film::rasterize(Kernels& kernels, const DeviceScene& scene, int first_row, int rows) {
-    const int band = std::max(kBandRows, (rows + kMostBands - 1) / kMostBands), bands = (rows + band - 1) / band;
+    const int band = std::max(band_rows, (rows + most_bands - 1) / most_bands), bands = (rows + band - 1) / band;
     kernels.get("rasterize_film")
         .args(scene.triangles, scene.triangle_count, scene.planes, camera_, scene.to_film, offsets_, samples_, first_row, rows, band, hits_)
         .run(static_cast<std::size_t>(bands) * static_cast<std::size_t>(samples_), "rasterize film", 1);
@@ -78,10 +78,10 @@ int Film::number_surfels(const std::shared_ptr<Device>& device) {
     std::vector<int> first(counts.size());
     int next = 0;
     const int width = camera_.width, height = camera_.height;
-    for (int top = 0; top < height; top += kNumberedBlock)
-        for (int left = 0; left < width; left += kNumberedBlock)
-            for (int y = top; y < std::min(top + kNumberedBlock, height); ++y)
-                for (int x = left; x < std::min(left + kNumberedBlock, width); ++x) {
+    for (int top = 0; top < height; top += numbered_block)
+        for (int left = 0; left < width; left += numbered_block)
+            for (int y = top; y < std::min(top + numbered_block, height); ++y)
+                for (int x = left; x < std::min(left + numbered_block, width); ++x) {
                     const std::size_t pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
                     first[pixel] = next;
                     next += counts[pixel] & FILM_COUNT_MASK;

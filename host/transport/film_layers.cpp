@@ -9,7 +9,7 @@ namespace pencil {
 
 namespace {
 
-const std::set<std::string> kKnown = {"emission", "direct", "bounces", "albedo", "normal", "depth", "position"};
+const std::set<std::string> known_layers = {"emission", "direct", "bounces", "albedo", "normal", "depth", "position"};
 
 /// World positions of pixels, and distances from the camera along the pixel's ray; empty pixels keep 0.
 void to_world(const FlatScene& flat, const std::vector<float>& coverage, std::vector<float>& position, std::vector<float>& depth) {
@@ -39,7 +39,7 @@ glm::dvec3 mean_rgb(const std::vector<float>& pixels) {
 
 FilmLayers::FilmLayers(const std::vector<std::string>& aovs) : aovs_(aovs.begin(), aovs.end()) {
     for (const std::string& aov : aovs)
-        if (kKnown.count(aov) == 0)
+        if (known_layers.count(aov) == 0)
             throw UsageError("unknown layer \"" + aov + "\"; known: emission, direct, bounces, albedo, normal, depth, position");
 }
 
@@ -67,7 +67,7 @@ void FilmLayers::add_to_beauty(const std::vector<float>& pixels) {
 
 void FilmLayers::add_bounce(int order, std::vector<float> pixels) {
     add_to_beauty(pixels);
-    if (wants(order == 1 ? "direct" : "bounces")) light_.push_back({order == 1 ? "direct" : order == kIndirect ? "indirect" : "bounce" + std::to_string(order), 3, pixels});
+    if (wants(order == 1 ? "direct" : "bounces")) light_.push_back({order == 1 ? "direct" : order == indirect ? "indirect" : "bounce" + std::to_string(order), 3, pixels});
     last_bounce_ = std::move(pixels);
 }
 

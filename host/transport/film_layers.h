@@ -22,8 +22,8 @@ public:
 
     /// Emission (always part of the beauty) and the wanted properties of the surfaces.
     void add_surfaces(Kernels& kernels, const DeviceScene& scene, const FlatScene& flat, const Film& film);
-    /// Reflection `order`: 1 is direct light ("direct"), 2 is "bounce2" and so on; kIndirect is all of them together ("indirect").
-    static constexpr int kIndirect = -1;
+    /// Reflection `order`: 1 is direct light ("direct"), 2 is "bounce2" and so on; indirect is all of them together ("indirect").
+    static constexpr int indirect = -1;
     void add_bounce(int order, std::vector<float> pixels);
     /// Adds the last bounce times `factor` as the rest of the series ("tail"). Returns its mean relative to the image's.
     double close_series(const glm::dvec3& factor);

@@ -10,12 +10,12 @@ namespace pencil {
 namespace {
 
 /// Tiles of light samples are finer than pencil maps, because shadow edges are seen directly, but not finer than this.
-constexpr int kLightMapFactor = 4;
-constexpr int kLargestLightMap = 256;
+constexpr int light_map_factor = 4;
+constexpr int largest_light_map = 256;
 
 }  // namespace
 
-int light_map_size(int map) { return std::max(map, std::min(kLightMapFactor * map, kLargestLightMap)); }
+int light_map_size(int map) { return std::max(map, std::min(light_map_factor * map, largest_light_map)); }
 
 RenderContext::RenderContext(const Scene& scene_to_render, const RenderOptions& render_options, std::shared_ptr<Device> device,
                              const Progress& progress)

@@ -24,8 +24,8 @@ std::shared_ptr<GeometryMaps> empty_maps(Kernels& kernels, int count, int n) {
 
 /// Candidates of the next round, so that as many as are missing are likely to be accepted at the rate seen so far.
 int next_batch(int missing, int filled, int tried, int count) {
-    constexpr double kLowestRate = 0.05;  // bounds the work where hardly any candidate is accepted
-    const double rate = std::max(static_cast<double>(filled) / tried, kLowestRate);
+    constexpr double lowest_rate = 0.05;  // bounds the work where hardly any candidate is accepted
+    const double rate = std::max(static_cast<double>(filled) / tried, lowest_rate);
     return std::min(static_cast<int>(std::ceil(missing / rate)), count);
 }
 
@@ -111,7 +111,7 @@ std::shared_ptr<GeometryMaps> FreeSpace::create(Kernels& kernels, Sequence seque
         for (int tile = 0; tile < batch->count && filled < count; ++tile)
             if (keep[static_cast<std::size_t>(tile)]) maps->copy_tile(*batch, tile, filled++);
         if (filled == count) return maps;
-        if (round == kMostRounds) break;
+        if (round == most_rounds) break;
         batch = rasterized(kernels, scene_,
                            place_pencils(flat_, sequence, tried, next_batch(count - filled, filled, tried, count), set, seed), map_size_);
         tried += batch->count;

@@ -27,7 +27,7 @@ public:
               int map_size);
 
     /// Geometry maps of `count` centres of set number `set`, rasterised and folded; rejected centres are replaced by the next of the
-    /// sequence. If kMostRounds rounds do not find all, the set is smaller; if they find none, the last round's centres are taken.
+    /// sequence. If most_rounds rounds do not find all, the set is smaller; if they find none, the last round's centres are taken.
     std::shared_ptr<GeometryMaps> create(Kernels& kernels, Sequence sequence, int count, int set, std::uint64_t seed);
 
     /// Shapes found to be rooms.
@@ -36,7 +36,7 @@ public:
     int in_solids() const { return in_solids_; }
     int unreached() const { return unreached_; }
 
-    static constexpr int kMostRounds = 16;
+    static constexpr int most_rounds = 16;
 
 private:
     void reach_film(const Surfels& film);

@@ -9,7 +9,7 @@ namespace pencil {
 namespace {
 
 /// relMSE divides by r^2 + this * mean(r)^2, so that black pixels do not decide it.
-constexpr double kFloor = 0.01;
+constexpr double variance_floor = 0.01;
 
 }  // namespace
 
@@ -43,7 +43,7 @@ double LayerMean::relative_mean_square_error() const {
     double sum = 0;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         const double value = pixels[i];
-        sum += variance_of_mean(i) / (value * value + kFloor * mean * mean);
+        sum += variance_of_mean(i) / (value * value + variance_floor * mean * mean);
     }
     return sum / static_cast<double>(pixels.size());
 }

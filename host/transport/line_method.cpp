@@ -13,7 +13,7 @@ namespace pencil {
 namespace {
 
 /// Orders of bounces after which the series is closed by its tail whatever the tolerance.
-constexpr int kMostBounces = 512;
+constexpr int most_bounces = 512;
 
 class LineMethod {
 public:
@@ -73,9 +73,9 @@ private:
     /// Stops the series by tolerance; warns and stops a series that does not decrease.
     bool converged(int steps) {
         if (series_.last_share() < context_.options.tolerance) return true;
-        if (steps < kMostBounces) return false;
+        if (steps < most_bounces) return false;
         context_.stats.warnings.push_back("bounces do not decrease (albedo near 1 in a closed scene): stopped after " +
-                                          std::to_string(kMostBounces) + ", not converged");
+                                          std::to_string(most_bounces) + ", not converged");
         return true;
     }
 

@@ -9,11 +9,11 @@ namespace pencil {
 namespace {
 
 /// Kernels index texels with 32 bits.
-constexpr std::size_t kMostTexels = 0x7fffffff;
+constexpr std::size_t most_texels = 0x7fffffff;
 
 std::size_t atlas_texels(std::size_t tiles, int n) {
     const std::size_t texels = tiles * static_cast<std::size_t>(PENCIL_TILE_TEXELS(n));
-    if (texels > kMostTexels)
+    if (texels > most_texels)
         throw MemoryError(std::to_string(tiles) + " maps of " + std::to_string(n) + "x" + std::to_string(n) +
                           " texels are more than one atlas holds (2^31 texels); use fewer pencils or light samples, or a smaller map");
     return texels;

@@ -16,16 +16,16 @@ namespace pencil {
 namespace {
 
 /// Sets do not shrink below this: bounces late in the series are smooth, but not constant.
-constexpr int kSmallestSet = 16;
+constexpr int smallest_set = 16;
 /// Surfels of maps that are worked on at once: bounds memory and the length of a launch.
-constexpr int kChunkSurfels = 1 << 20;
+constexpr int chunk_surfels = 1 << 20;
 /// Masks of one chunk take at most this much [bytes].
-constexpr std::size_t kMaskBytes = std::size_t{128} << 20;
+constexpr std::size_t mask_bytes = std::size_t{128} << 20;
 
 int chunk_tiles(int n, int pencils) {
     const std::size_t texels = static_cast<std::size_t>(n) * static_cast<std::size_t>(n);
-    const std::size_t by_mask = kMaskBytes / (sizeof(uint) * static_cast<std::size_t>(mask_words(pencils)) * texels);
-    const std::size_t by_surfels = kChunkSurfels / texels;
+    const std::size_t by_mask = mask_bytes / (sizeof(uint) * static_cast<std::size_t>(mask_words(pencils)) * texels);
+    const std::size_t by_surfels = chunk_surfels / texels;
     return static_cast<int>(std::clamp<std::size_t>(std::min(by_mask, by_surfels), 1, static_cast<std::size_t>(pencils)));
 }
 
@@ -37,7 +37,7 @@ PencilSolver::PencilSolver(Kernels& kernels, const DeviceScene& scene, FreeSpace
 
 int PencilSolver::set_size(int index) const {
     const double size = options_.pencils * std::pow(options_.decay, index);
-    return std::max(static_cast<int>(std::lround(size)), std::min(options_.pencils, kSmallestSet));
+    return std::max(static_cast<int>(std::lround(size)), std::min(options_.pencils, smallest_set));
 }
 
 PencilSet PencilSolver::create(int index) {

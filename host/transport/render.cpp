@@ -15,7 +15,7 @@ namespace pencil {
 namespace {
 
 /// A target that is never met ends here.
-constexpr int kMostPasses = 1 << 14;
+constexpr int most_passes = 1 << 14;
 
 /// One render from start to end.
 class Renderer {
@@ -107,7 +107,7 @@ private:
             return seconds() + pace * surface_pass(index + 1, options).weight > options.seconds;
         }
         if (mean.count() >= 2) context_.clock.set_fraction(std::min(options.target_error / error, 1.0));
-        return error <= options.target_error || index + 1 >= kMostPasses;
+        return error <= options.target_error || index + 1 >= most_passes;
     }
 
     double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }

@@ -8,8 +8,8 @@ namespace pencil {
 namespace {
 
 /// Spacing of the film pencils whose texels show where light is reflected [pixels], and the width of their maps.
-constexpr int kSeedSpacing = 32;
-constexpr int kSeedMap = 8;
+constexpr int seed_spacing = 32;
+constexpr int seed_map = 8;
 
 int generation_of(int index) {
     int generation = 0;
@@ -38,7 +38,7 @@ SurfacePass surface_pass(int index, const RenderOptions& options) {
 void add_surface_bounces(RenderContext& context, const DeviceBvh& bvh, const SurfacePass& pass, Frame& frame, std::uint64_t seed) {
     if (!context.wanted(context.maps_emit ? 1 : 2) || context.clock.stopped()) return;
     SurfaceSolver solver(context.kernels, context.device_scene, context.flat, bvh, frame.lights(), pass.world, context.clock, seed);
-    FilmPencils seeds(context.kernels, frame.film(), {kSeedSpacing, kSeedSpacing, 0.0F, kSeedMap, 0.0F});
+    FilmPencils seeds(context.kernels, frame.film(), {seed_spacing, seed_spacing, 0.0F, seed_map, 0.0F});
     solver.solve(seeds.pencils(), context.options.bounces, context.options.tolerance);
     FilmPencils film(context.kernels, frame.film(), pass.lattice);
     context.clock.run("film pencils", [&] { film.refine(solver); });
@@ -46,7 +46,7 @@ void add_surface_bounces(RenderContext& context, const DeviceBvh& bvh, const Sur
     context.stats.film_pencils += static_cast<std::uint64_t>(film.pencils().count);
     context.stats.residual = solver.residual();
     context.clock.run("project film", [&] { film.project(frame.outgoing()); });
-    frame.finish_bounce(FilmLayers::kIndirect, film.pencils().count, 0);
+    frame.finish_bounce(FilmLayers::indirect, film.pencils().count, 0);
 }
 
 }  // namespace pencil

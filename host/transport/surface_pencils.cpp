@@ -8,7 +8,7 @@ namespace pencil {
 namespace {
 
 /// Cells along the longest axis of the grid at most.
-constexpr double kMostCells = 64;
+constexpr double most_cells = 64;
 
 glm::ivec3 cell_of(const PencilGrid& grid, const glm::vec3& p) {
     const glm::ivec3 cell((p - glm::vec3(grid.low)) * grid.low.w);
@@ -29,7 +29,7 @@ void for_cells(const PencilGrid& grid, const SurfacePencil& pencil, Visit visit)
 
 DeviceGrid::DeviceGrid(const std::shared_ptr<Device>& device, const std::vector<SurfacePencil>& pencils, const FlatScene& flat) {
     const glm::vec3 extent(flat.high - flat.low);
-    float size = std::max({extent.x, extent.y, extent.z}) / static_cast<float>(kMostCells);
+    float size = std::max({extent.x, extent.y, extent.z}) / static_cast<float>(most_cells);
     for (const SurfacePencil& p : pencils) size = std::max(size, 0.5F * p.normal.w);
     grid.low = float4(glm::vec3(flat.low), 1.0F / size);
     const glm::ivec3 cells = glm::ivec3(extent / size) + 1;

@@ -12,22 +12,22 @@ namespace pencil {
 namespace {
 
 /// Texels that are worked on at once: bounds memory and the length of a launch.
-constexpr int kChunkSurfels = 1 << 20;
+constexpr int chunk_surfels = 1 << 20;
 /// Pencils further apart than this in their normals do not stand for each other (REUSE_LEAST_COSINE is the looser bound of use).
-constexpr float kAlike = 0.7F;
+constexpr float alike = 0.7F;
 /// A pencil is used up to this many spacings away.
-constexpr float kReach = 1.4F;
-constexpr int kMostRounds = 8;
-constexpr int kMostIterations = 512;
+constexpr float reach = 1.4F;
+constexpr int most_rounds = 8;
+constexpr int most_iterations = 512;
 /// Width of the maps of the world set: they are read through the maps of film pencils only.
-constexpr int kWorldMap = 8;
+constexpr int world_map = 8;
 /// Texels in a row that share their part of the light samples.
-constexpr int kLightGroup = 128;
+constexpr int light_group = 128;
 /// Rounds that fill what no pencil stands for, and their spacing relative to the first.
-constexpr int kFillRounds = 2;
-constexpr float kFillSpacing = 0.25F;
+constexpr int fill_rounds = 2;
+constexpr float fill_spacing = 0.25F;
 /// The world's bounces stop at this share of the tolerance of the image.
-constexpr double kToleranceShare = 0.1;
+constexpr double tolerance_share = 0.1;
 
 double reflecting_area(const FlatScene& flat) {
     double area = 0;
@@ -76,12 +76,12 @@ std::vector<int> SurfaceSolver::choose(const Surfels& surfels, const std::vector
                     if (cell == cells_.end()) continue;
                     for (std::size_t other : cell->second)
                         covered = covered || (glm::distance(glm::vec3(placed_[other].position), p) < spacing &&
-                                              glm::dot(glm::vec3(placed_[other].normal), n) > kAlike);
+                                              glm::dot(glm::vec3(placed_[other].normal), n) > alike);
                 }
         if (covered) continue;
         SurfacePencil pencil{};
         pencil.position = float4(p, 0);
-        pencil.normal = float4(n, kReach * spacing_);
+        pencil.normal = float4(n, reach * spacing_);
         cells_[{key(p.x), key(p.y), key(p.z)}].push_back(placed_.size());
         placed_.push_back(pencil);
         chosen.push_back(static_cast<int>(i));
@@ -98,7 +98,7 @@ void SurfaceSolver::reserve(int texels) {
 }
 
 void SurfaceSolver::gather(SurfacePencils& pencils, int first, int count, bool bounces) {
-    const int chunk = std::max(kChunkSurfels / pencils.texels(), 1);
+    const int chunk = std::max(chunk_surfels / pencils.texels(), 1);
     for (int at = first; at < first + count; at += chunk) {
         const int part = std::min(chunk, first + count - at);
         reserve(part * pencils.texels());
@@ -114,18 +114,18 @@ void SurfaceSolver::gather(SurfacePencils& pencils, int first, int count, bool b
 }
 
 void SurfaceSolver::solve(SurfacePencils& seeds, int orders, double tolerance) {
-    world_ = SurfacePencils(kernels_.device(), 6 * set_.pencils, kWorldMap);
+    world_ = SurfacePencils(kernels_.device(), 6 * set_.pencils, world_map);
     clock_.run("world pencils", [&] {
         reserve(seeds.count * seeds.texels());
         trace_hemispheres(kernels_, scene_, bvh_, seeds, 0, seeds.count, seed_, surfels_, distances_);
-        for (int round = 0; round < kMostRounds; ++round) {
+        for (int round = 0; round < most_rounds; ++round) {
             const int before = world_.count;
-            place_surface_pencils(kernels_, surfels_, choose(surfels_, {}, spacing_), kReach * spacing_, world_);
+            place_surface_pencils(kernels_, surfels_, choose(surfels_, {}, spacing_), reach * spacing_, world_);
             if (world_.count == before) break;
             gather(world_, before, world_.count - before, false);
         }
         link();
-        for (int round = 0; round < kFillRounds && fill(); ++round) link();
+        for (int round = 0; round < fill_rounds && fill(); ++round) link();
     });
     clock_.run("world bounces", [&] { iterate(orders, tolerance); });
 }
@@ -153,7 +153,7 @@ bool SurfaceSolver::fill() {
     for (std::size_t i = 0; i < links.size(); ++i) linked[i] = links[i].x >= 0;
     const int before = world_.count;
     cells_.clear();
-    place_surface_pencils(kernels_, world_surfels_, choose(world_surfels_, linked, kFillSpacing * spacing_), kReach * spacing_, world_);
+    place_surface_pencils(kernels_, world_surfels_, choose(world_surfels_, linked, fill_spacing * spacing_), reach * spacing_, world_);
     if (world_.count > before) gather(world_, before, world_.count - before, false);
     return world_.count > before;
 }
@@ -170,7 +170,7 @@ void SurfaceSolver::iterate(int orders, double tolerance) {
         return s;
     };
     double sum = power(start), last = 0;
-    const int most = orders < 0 ? kMostIterations : std::max(orders - 2, 0);
+    const int most = orders < 0 ? most_iterations : std::max(orders - 2, 0);
     for (int k = 0; k < most; ++k) {
         kernels_.get("transport_irradiance")
             .args(world_surfels_.data, world_surfels_.capacity, links_, factors_, world_.count, world_.n, source, target, total)
@@ -178,7 +178,7 @@ void SurfaceSolver::iterate(int orders, double tolerance) {
         std::swap(source, target);
         last = power(source.read());
         sum += last;
-        if (orders < 0 && last < tolerance * kToleranceShare * sum) break;
+        if (orders < 0 && last < tolerance * tolerance_share * sum) break;
     }
     residual_ = sum > 0 ? last / sum : 0;
     const std::vector<float4> all = total.read();

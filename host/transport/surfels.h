@@ -7,9 +7,9 @@
 namespace pencil {
 
 /// Capacities are multiples of this, so that blocks of packets of any width may touch the tail.
-constexpr int kSurfelMultiple = 128;
+constexpr int surfel_multiple = 128;
 
-inline int surfel_capacity(int count) { return (count + kSurfelMultiple - 1) / kSurfelMultiple * kSurfelMultiple; }
+inline int surfel_capacity(int count) { return (count + surfel_multiple - 1) / surfel_multiple * surfel_multiple; }
 
 struct Surfels {
     Surfels() = default;

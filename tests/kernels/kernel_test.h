@@ -124,6 +124,7 @@ inline ref::Texel surfel_texel(int i, int n) {
 
 inline std::vector<float4> random_centres(Random& random, int count, double half = 0.7) {
     std::vector<float4> out;
+    out.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) out.push_back(to_float4(random.in_box(-half, half)));
     return out;
 }

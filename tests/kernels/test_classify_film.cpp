@@ -25,7 +25,7 @@ Classified classify(TestScene scene, const TestCamera& view, int samples) {
     const std::vector<glm::vec2> offsets = film_sample_offsets(samples, 6);
     const Buffer<glm::vec2> positions(device(), offsets, "offsets");
     const int rows = view.camera.height;
-    const auto pixels = static_cast<std::size_t>(rows * view.camera.width);
+    const auto pixels = static_cast<std::size_t>(rows) * static_cast<std::size_t>(view.camera.width);
     Buffer<Hit> hits(device(), offsets.size() * pixels, "hits");
     kernels.get("rasterize_film")
         .args(s.triangles, s.triangle_count, s.planes, view.camera, s.to_film, positions, samples, 0, rows, rows, hits)
@@ -72,8 +72,8 @@ void check(const TestScene& scene, const TestCamera& view, int samples) {
             // Materials stand for shapes; the soup's facets have a plane each, so only samples of one plane may join.
             ASSERT_EQ(c.surfels.plane(surfel), scene.triangles[triangle].plane) << "sample " << s << " joined another plane";
             const glm::vec2 o = c.offsets[static_cast<std::size_t>(s)];
-            const dvec3 direction = view.direction(static_cast<int>(pixel) % width + static_cast<double>(o.x),
-                                                   static_cast<int>(pixel) / width + static_cast<double>(o.y));
+            const int column = static_cast<int>(pixel) % width, row = static_cast<int>(pixel) / width;
+            const dvec3 direction = view.direction(column + static_cast<double>(o.x), row + static_cast<double>(o.y));
             const ref::Crossing crossing = ref::cross_triangle(view.origin, direction, scene.triangles[triangle]);
             const dvec3 p = view.origin + crossing.t * direction;
             if (glm::distance(p, c.surfels.position(surfel)) <= 2.0 * tolerance::depth_tie * crossing.slant * crossing.t)

@@ -51,9 +51,10 @@ TEST(FilmFilter, TablesHoldTheFilterAtEverySample) {
         ASSERT_EQ(table.totals.size(), static_cast<std::size_t>(side * side));
         for (int cell = 0; cell < side * side; ++cell) {
             double total = 0.0;
+            const int column = cell % side, row = cell / side;
             for (std::size_t s = 0; s < offsets.size(); ++s) {
-                const double dx = cell % side - table.reach + static_cast<double>(offsets[s].x) - 0.5,
-                             dy = cell / side - table.reach + static_cast<double>(offsets[s].y) - 0.5;
+                const double dx = column - table.reach + static_cast<double>(offsets[s].x) - 0.5,
+                             dy = row - table.reach + static_cast<double>(offsets[s].y) - 0.5;
                 const double expected = filter_value(filter(kind, radius), dx) * filter_value(filter(kind, radius), dy);
                 const float got = table.weights[static_cast<std::size_t>(cell) * offsets.size() + s];
                 ASSERT_NEAR(got, expected, 1e-6) << "cell " << cell << " sample " << s << " at " << dx << " " << dy;
