@@ -37,20 +37,22 @@ def column():
         return point
 
     mesh = flat(box((-0.48, -0.01, -0.48), (0.48, 0.14, 0.48)))
-    torus = lathe([spline([(0.44, 0.135), (0.475, 0.165), (0.475, 0.205), (0.44, 0.235)], 3), [(0.44, 0.235), (0.40, 0.235), (0.40, 0.25)],
-                   spline([(0.40, 0.25), (0.375, 0.28), (0.39, 0.315)], 2), spline([(0.39, 0.315), (0.415, 0.335), (0.415, 0.36), (0.39, 0.38)], 2),
-                   spline([(0.385, 0.38), (0.365, 0.395), (0.36, low)], 2)], 36)
-    mesh.add(torus)
+    torus, fillet = spline([(0.44, 0.135), (0.475, 0.165), (0.475, 0.205), (0.44, 0.235)], 3), [(0.44, 0.235), (0.40, 0.235), (0.40, 0.25)]
+    scotia = spline([(0.40, 0.25), (0.375, 0.28), (0.39, 0.315)], 2)
+    ring = spline([(0.39, 0.315), (0.415, 0.335), (0.415, 0.36), (0.39, 0.38)], 2)
+    foot = spline([(0.385, 0.38), (0.365, 0.395), (0.36, low)], 2)
+    mesh.add(lathe([torus, fillet, scotia, ring, foot], 32))
     rows = [low - 0.015, low, low + 0.015, low + 0.05] + even(low + 0.12, high - 0.12, 6) + [high - 0.05, high - 0.015, high, high + 0.02]
     for flute in range(flutes):  # its ends lie in base and capital
         mesh.add(patch(shaft(flute), even(0.0, 1.0, 4), rows))
-    neck = lathe([spline([(0.295, high + 0.005), (0.33, high + 0.03), (0.33, high + 0.05), (0.30, high + 0.07)], 2),
-                  [(0.30, high + 0.07), (0.30, high + 0.17)],
-                  spline([(0.33, high + 0.17), (0.35, high + 0.19), (0.42, high + 0.235), (0.45, high + 0.275), (0.44, high + 0.30)], 2)], 36)
-    return mesh.add(neck).add(flat(box((-0.48, high + 0.295, -0.48), (0.48, CAPITAL, 0.48))))
+    bead = spline([(0.295, high + 0.005), (0.33, high + 0.03), (0.33, high + 0.05), (0.30, high + 0.07)], 2)
+    neck = [(0.30, high + 0.07), (0.30, high + 0.17)]
+    echinus = [(0.33, high + 0.17), (0.35, high + 0.19), (0.42, high + 0.235), (0.45, high + 0.275), (0.44, high + 0.30)]
+    mesh.add(lathe([bead, neck, spline(echinus, 2)], 32))
+    return mesh.add(flat(box((-0.48, high + 0.295, -0.48), (0.48, CAPITAL, 0.48))))
 
 
-def archivolt(centre, segments=32):
+def archivolt(centre, segments=24):
     """Moulding round an arch in the plane z = 0, 0.2 wide, 0.06 proud."""
     profile = [(0.0, 0.0), (0.0, 0.035), (0.075, 0.035), (0.09, 0.06), (0.16, 0.06), (0.20, 0.03), (0.20, 0.0)]
     mesh = Mesh()
@@ -99,7 +101,7 @@ def pilasters():
 
 
 def vault():
-    """Barrel vault over the nave with coffers' ribs: transverse arches over the columns and longitudinal bands between them."""
+    """Barrel vault over the nave, with transverse ribs over the columns."""
     def barrel(r):
         return lambda a, z: (-r * math.cos(a), TOP + 0.2 + r * math.sin(a), z)
 
@@ -118,8 +120,8 @@ def vault():
 
 def cornice():
     """Moulding on top of an arcade, along the hall, facing +x: its wall is x = 0, the vault begins on it at y = TOP + 0.2."""
-    profile = [(-0.01, TOP - 0.16), (0.04, TOP - 0.14), (0.06, TOP - 0.04), (0.14, TOP), (0.20, TOP + 0.08), (0.22, TOP + 0.13), (0.22, TOP + 0.2),
-               (-0.02, TOP + 0.2)]
+    profile = [(-0.01, TOP - 0.16), (0.04, TOP - 0.14), (0.06, TOP - 0.04), (0.14, TOP), (0.20, TOP + 0.08), (0.22, TOP + 0.13),
+               (0.22, TOP + 0.2), (-0.02, TOP + 0.2)]
     mesh = Mesh()
     for (x0, y0), (x1, y1) in zip(profile, profile[1:]):
         mesh.add_flat_polygon((x0, y0, FIRST), (x0, y0, LAST), (x1, y1, LAST), (x1, y1, FIRST))
@@ -136,7 +138,8 @@ def floor_slabs(odd):
                 continue
             x, z = -columns * size / 2 + i * size, FIRST - j * size
             outer = [(x, low, z), (x + size, low, z), (x + size, low, z - size), (x, low, z - size)]
-            inner = [(x + edge, 0.0, z - edge), (x + size - edge, 0.0, z - edge), (x + size - edge, 0.0, z - size + edge), (x + edge, 0.0, z - size + edge)]
+            x0, x1, z0, z1 = x + edge, x + size - edge, z - edge, z - size + edge
+            inner = [(x0, 0.0, z0), (x1, 0.0, z0), (x1, 0.0, z1), (x0, 0.0, z1)]
             mesh.add_flat_polygon(*inner)
             for k in range(4):
                 mesh.add_flat_polygon(outer[k], outer[(k + 1) % 4], inner[(k + 1) % 4], inner[k])
@@ -158,7 +161,8 @@ def steps():
 
 
 def end_wall():
-    """End of the hall in the plane z = 0, facing +z, with a round niche of radius 1.3 under a half dome. It reaches behind vault and aisles."""
+    """End of the hall in the plane z = 0, facing +z, with a round niche of radius 1.3 under a half dome.
+    It reaches behind vault and aisles."""
     sill, spring, r = 0.64, 3.6, 1.3
     mesh = arched_panel((-AISLE - 0.01, -0.01), (AISLE + 0.01, TOP + 0.2 + NAVE + 0.01), sill, spring, r, 32)
 
@@ -174,15 +178,17 @@ def end_wall():
 
 def urn():
     """A covered urn on a round pedestal, 2.0 high."""
-    pedestal = [[(0.48, -0.01), (0.48, 0.12)], [(0.48, 0.12), (0.42, 0.12)], spline([(0.42, 0.12), (0.36, 0.2), (0.35, 0.3), (0.35, 0.7), (0.38, 0.8), (0.44, 0.84)], 2),
+    drum = [(0.42, 0.12), (0.36, 0.2), (0.35, 0.3), (0.35, 0.7), (0.38, 0.8), (0.44, 0.84)]
+    pedestal = [[(0.48, -0.01), (0.48, 0.12)], [(0.48, 0.12), (0.42, 0.12)], spline(drum, 2),
                 [(0.44, 0.84), (0.44, 0.92)], [(0.44, 0.92), (0.20, 0.92)]]
-    body = [spline([(0.20, 0.92), (0.12, 0.98), (0.09, 1.05), (0.20, 1.14), (0.33, 1.32), (0.36, 1.48), (0.28, 1.62), (0.25, 1.68), (0.30, 1.74)], 3),
-            spline([(0.30, 1.74), (0.22, 1.81), (0.07, 1.86), (0.05, 1.90), (0.08, 1.95), (0.06, 1.99), (0.0, 2.0)], 2)]
+    belly = [(0.20, 0.92), (0.12, 0.98), (0.09, 1.05), (0.20, 1.14), (0.33, 1.32), (0.36, 1.48), (0.28, 1.62), (0.25, 1.68), (0.30, 1.74)]
+    lid = [(0.30, 1.74), (0.22, 1.81), (0.07, 1.86), (0.05, 1.90), (0.08, 1.95), (0.06, 1.99), (0.0, 2.0)]
+    body = [spline(belly, 3), spline(lid, 2)]
     return lathe(pedestal + body, 36)
 
 
 MESHES = {
-    "hall-column.ply": column, "hall-arcade.ply": arcade, "hall-windows.ply": window_wall, "hall-pilasters.ply": pilasters, "hall-vault.ply": vault,
-    "hall-cornice.ply": cornice, "hall-slabs-even.ply": lambda: floor_slabs(0), "hall-slabs-odd.ply": lambda: floor_slabs(1),
-    "hall-steps.ply": steps, "hall-end.ply": end_wall, "hall-urn.ply": urn,
+    "hall-column.ply": column, "hall-arcade.ply": arcade, "hall-windows.ply": window_wall, "hall-pilasters.ply": pilasters,
+    "hall-vault.ply": vault, "hall-cornice.ply": cornice, "hall-slabs-even.ply": lambda: floor_slabs(0),
+    "hall-slabs-odd.ply": lambda: floor_slabs(1), "hall-steps.ply": steps, "hall-end.ply": end_wall, "hall-urn.ply": urn,
 }
