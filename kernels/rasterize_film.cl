@@ -30,7 +30,7 @@ inline float4 film_bounds(const float4 *p, const float4 *to_film) {
 /// launch : 1-D, one work-item per (sample, band of `band` rows)
 /// in     : triangles, planes; camera; to_film[3] (see film_bounds); offsets[sample] in [0, 1)^2, the same for every pixel
 /// out    : hits[(sample * row_count + row - first_row) * width + x]; disparity = 1 / depth along the optical axis
-/// needs  : hits beyond the camera's clip distances are dropped
+/// clip   : nothing is there before the camera's near distance, as in Mitsuba; hits beyond its far distance are dropped
 kernel void rasterize_film(global const Triangle *triangles, int triangle_count, global const float4 *planes, Camera camera,
                            global const float4 *to_film, global const float2 *offsets, int sample_count, int first_row, int row_count,
                            int band, global Hit *hits) {
@@ -49,6 +49,7 @@ kernel void rasterize_film(global const Triangle *triangles, int triangle_count,
         image[i].disparity = 0.0f;
     }
     float4 eye = (float4)(camera.origin.xyz, 0.0f);
+    float nearest = camera.near_clip > 0.0f ? 1.0f / camera.near_clip : INFINITY;
     for (int i = 0; i < triangle_count; ++i) {
         global const Triangle *triangle = triangles + i;
         float4 p[3] = {triangle->v0 - eye, triangle->v1 - eye, triangle->v2 - eye};
@@ -63,10 +64,9 @@ kernel void rasterize_film(global const Triangle *triangles, int triangle_count,
         float ahead = plane_ahead(plane, eye);
         if (fabs(ahead) < PLANE_TOLERANCE) continue;
         RasterTriangle t = raster_setup(p[0], p[1], p[2], plane, ahead, frame);
-        for (int y = max(ys.x, top); y <= ys.y; ++y) raster_row(&t, i, 0.0f, 1.0f, (float)y, xs.x, xs.y, image + y * camera.width);
+        for (int y = max(ys.x, top); y <= ys.y; ++y) raster_row(&t, i, 0.0f, 1.0f, (float)y, xs.x, xs.y, nearest, image + y * camera.width);
     }
-    float nearest = camera.near_clip > 0.0f ? 1.0f / camera.near_clip : INFINITY;
     float farthest = 1.0f / camera.far_clip;
     for (int i = top * camera.width; i < bottom * camera.width; ++i)
-        if (image[i].disparity > nearest || image[i].disparity < farthest) image[i].triangle = -1;
+        if (image[i].disparity < farthest) image[i].triangle = -1;
 }

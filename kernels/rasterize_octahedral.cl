@@ -69,7 +69,7 @@ inline void raster_octant(RasterTriangle t, float4 bounds, float3 s, int triangl
         int y = s.y > 0.0f ? half_n + k : half_n - 1 - k;
         int first = s.x > 0.0f ? half_n + k0 : half_n - 1 - k1;
         int last = s.x > 0.0f ? half_n + k1 : half_n - 1 - k0;
-        raster_row(&t, triangle, u0, du, u0 + y * du, first, last, tile + oct_atlas_index(0, (int2)(0, y), n));
+        raster_row(&t, triangle, u0, du, u0 + y * du, first, last, INFINITY, tile + oct_atlas_index(0, (int2)(0, y), n));
     }
 }
 

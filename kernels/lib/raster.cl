@@ -28,9 +28,11 @@ inline RasterTriangle raster_setup(float4 p0, float4 p1, float4 p2, float4 plane
     return t;
 }
 
-/// Draws texels first..last of one row: u of texel x is u0 + x * du. `row` points at texel 0. Larger disparity wins; at equal disparity
-/// the lower triangle index, because triangles come in ascending order (documented tie).
-inline void raster_row(const RasterTriangle *t, int triangle, float u0, float du, float v, int first, int last, global Hit *row) {
+/// Draws texels first..last of one row: u of texel x is u0 + x * du. `row` points at texel 0. What has a larger disparity than `nearest` is
+/// not there (INFINITY: all is). Larger disparity wins; at equal disparity the lower triangle index, because triangles come in ascending
+/// order (documented tie).
+inline void raster_row(const RasterTriangle *t, int triangle, float u0, float du, float v, int first, int last, float nearest,
+                       global Hit *row) {
     float4 base = t->b * v + t->c;
     for (int x = first; x <= last; x += PENCIL_WIDTH) {
         vint lane = x + PACKET_LANES;
@@ -46,7 +48,7 @@ inline void raster_row(const RasterTriangle *t, int triangle, float u0, float du
         PACKET_STORE(covered, inside);
         PACKET_STORE(w, disparity);
         for (int l = 0; l < PENCIL_WIDTH; ++l)
-            if (inside[l] && disparity[l] > row[x + l].disparity) {
+            if (inside[l] && disparity[l] > row[x + l].disparity && disparity[l] <= nearest) {
                 row[x + l].triangle = triangle;
                 row[x + l].disparity = disparity[l];
             }
