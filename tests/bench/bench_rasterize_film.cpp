@@ -21,7 +21,7 @@ void rasterize(benchmark::State& state) {
     compare(
         state, {product(static_cast<long long>(rows) * rows, "pixels", samples, "samples"), count, count * sizeof(Hit), {"bench film"}},
         [&] {
-            bench.kernels.get("rasterize_film", {"packet", "octahedral", "triangle", "raster"})
+            bench.kernels.get("rasterize_film")
                 .args(bench.on_device.triangles, bench.on_device.triangle_count, bench.on_device.planes, bench.flat.camera,
                       bench.on_device.to_film, film.device_offsets, samples, 0, rows, kBandRows, film.hits)
                 .run(static_cast<std::size_t>(bands) * static_cast<std::size_t>(samples), "bench film", 1);

@@ -66,7 +66,7 @@ void resolve(benchmark::State& state) {
          count * (support * (1 + 4 + 12) + 12),
          {"resolve bench film"}},
         [&] {
-            bench.kernels.get("resolve_film", {})
+            bench.kernels.get("resolve_film")
                 .args(device_values, 0, capacity, slots, counts, first, weights, totals, table.reach, samples, side, side, image)
                 .run(pixels.counts.size(), "resolve bench film");
         },
