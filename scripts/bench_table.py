@@ -28,6 +28,7 @@ def table(report):
     context, lines = report["context"], read_lines(report)
     repetitions = max(len(values["ratio"]) for _, values in lines.values())
     yield f"{context['date'][:10]}, {context['device']}, packets of {context['packet_width']}."
+    yield f"Load average at the start: {context['load_avg'][0]:.1f} on {context['num_cpus']} cores; well above 0, others took part of both rates."
     yield f"Native: {context['native_compiler']}, {context['native_threads']} threads. Medians of {repetitions} repetitions."
     yield ""
     yield "| kernel | size | kernel Mop/s | native Mop/s | ratio | least, greatest | GB/s |"
