@@ -27,4 +27,4 @@ mkdir -p "$out"
 build/release/tests/bench/pencil_bench --benchmark_repetitions=9 --benchmark_min_time=0.1 --benchmark_display_aggregates_only=true \
     --benchmark_out="$out/bench.json" --benchmark_out_format=json "${options[@]}"
 python3 scripts/bench_table.py "$out/bench.json" -o "$out/bench.md" "${docs[@]}"
-echo "$PWD/$out/bench.json $PWD/$out/bench.md"
+echo "$out/bench.json $out/bench.md"
