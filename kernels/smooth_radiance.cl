@@ -12,11 +12,13 @@ kernel void smooth_radiance(global const float4 *sharp, int first_tile, int tile
     int stride = PENCIL_TILE_STRIDE(n);
     int tile = item / texels;
     int2 centre = oct_fold_texel((int2)(item % texels % stride, item % texels / stride) - PENCIL_GUTTER, n);
+    int at = oct_atlas_index(tile, centre, n);
+    bool inside = min(centre.x, centre.y) > 0 && max(centre.x, centre.y) < n - 1;  // no neighbour to be folded
     float3 sum = (float3)(0.0f);
     for (int dy = -1; dy <= 1; ++dy)
         for (int dx = -1; dx <= 1; ++dx) {
-            int2 texel = oct_fold_texel(centre + (int2)(dx, dy), n);
-            sum += (float)((2 - abs(dx)) * (2 - abs(dy))) * sharp[oct_atlas_index(tile, texel, n)].xyz;
+            int from = inside ? at + dy * stride + dx : oct_atlas_index(tile, oct_fold_texel(centre + (int2)(dx, dy), n), n);
+            sum += (float)((2 - abs(dx)) * (2 - abs(dy))) * sharp[from].xyz;
         }
-    radiance[(size_t)first_tile * texels + item] = (float4)(sum / 16.0f, sharp[oct_atlas_index(tile, centre, n)].w);
+    radiance[(size_t)first_tile * texels + item] = (float4)(sum / 16.0f, sharp[at].w);
 }

@@ -1,0 +1,36 @@
+// Geometry maps of pencils; rasterising and folding are launched together and timed apart.
+#include "bench/workbench.h"
+#include "transport/rasterize_octahedral.h"
+
+namespace pencil::bench {
+namespace {
+
+std::vector<int> triangles_of(const std::vector<Hit>& hits) {
+    std::vector<int> out;
+    out.reserve(hits.size());
+    for (const Hit& hit : hits) out.push_back(hit.triangle);
+    return out;
+}
+
+void rasterize(benchmark::State& state, const std::string& what, const GeometryMaps& centres) {
+    Workbench& bench = workbench();
+    GeometryMaps maps(device(), centres.cops.read(), centres.n, "bench");
+    HostMaps native_maps(centres, bench.view());
+    const double texels = static_cast<double>(maps.count) * maps.n * maps.n;
+    const std::string scene = " texels, " + std::to_string(bench.on_device.triangle_count) + " triangles";
+    compare(
+        state,
+        {product(maps.count, "tiles", static_cast<long long>(maps.n) * maps.n, scene.substr(1)), texels, texels * sizeof(Hit), {what}},
+        [&] { rasterize_octahedral(bench.kernels, bench.on_device, maps, 0, maps.count); },
+        [&] { native::rasterize_octahedral(bench.view(), native_maps.cops.data(), maps.count, maps.n, native_maps.hits.data()); },
+        [&] { return differences(triangles_of(maps.hits.read()), triangles_of(native_maps.hits), 1e-4); });
+}
+
+void pencil_maps(benchmark::State& state) { rasterize(state, "rasterize octahedral maps", *workbench().set.maps); }
+void light_maps(benchmark::State& state) { rasterize(state, "rasterize octahedral maps", workbench().lights.maps); }
+
+BENCHMARK(pencil_maps)->Name("rasterize_octahedral/pencils")->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(light_maps)->Name("rasterize_octahedral/lights")->UseManualTime()->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace pencil::bench
