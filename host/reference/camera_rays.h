@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <vector>
 
 #include "reference/filter_sampler.h"
 #include "reference/ray_scene.h"
@@ -22,8 +23,8 @@ public:
 
 private:
     FilterSampler filter_;
-    int width_, height_;
-    glm::dvec3 eye_, corner_, step_x_, step_y_;  // the ray of (px, py) is eye + t (corner + px step_x + py step_y), t the depth
+    std::vector<FilterSampler::Range> columns_, rows_;  // the filter of a pixel as far as it lies within the film
+    glm::dvec3 eye_, corner_, step_x_, step_y_;         // the ray of (px, py) is eye + t (corner + px step_x + py step_y), t the depth
     glm::dvec3 low_, high_;
     double near_, far_;
 };

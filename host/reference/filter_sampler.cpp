@@ -8,46 +8,52 @@
 namespace pencil {
 namespace {
 
-constexpr int cells_per_pixel = 64;  // even, so that pixel borders are cell borders
-constexpr double cell = 1.0 / cells_per_pixel;
-
-/// Gauss and Legendre, three points: exact for the piecewise cubic filters where no knot lies inside.
-template <typename Function>
-double integrate(double a, double b, Function f) {
-    const double middle = 0.5 * (a + b), half = 0.5 * (b - a), node = half * std::sqrt(0.6);
-    return half * (5 * f(middle - node) + 8 * f(middle) + 5 * f(middle + node)) / 9;
-}
+constexpr int cells_per_pixel = 64;  // even, so that the borders of pixels are borders of cells
+constexpr double cell_width = 1.0 / cells_per_pixel;
 
 }  // namespace
 
-FilterSampler::FilterSampler(const ReconstructionFilter& filter) : filter_(filter) {
+FilterSampler::FilterSampler(const ReconstructionFilter& filter) {
     const int half = static_cast<int>(std::ceil(filter.radius * cells_per_pixel));
-    radius_ = half * cell;
-    magnitude_.push_back(0);
+    radius_ = half * cell_width;
     integral_.push_back(0);
+    double magnitude = 0;
     for (int i = -half; i < half; ++i) {
-        const double a = std::max(i * cell, -filter.radius), b = std::min((i + 1) * cell, filter.radius);
-        const double magnitude = integrate(a, b, [&](double x) { return std::abs(filter_value(filter, x)); });
-        density_.push_back(magnitude / cell);
-        magnitude_.push_back(magnitude_.back() + magnitude);
-        integral_.push_back(integral_.back() + integrate(a, b, [&](double x) { return filter_value(filter, x); }));
+        // Just inside the cell, where a box that ends at its border still has its value.
+        const double inset = 1e-9 * cell_width, a = i * cell_width + inset, b = (i + 1) * cell_width - inset;
+        const double left = filter_value(filter, a), right = filter_value(filter, b);
+        const double density = 0.5 * (std::abs(left) + std::abs(right)), inverse = density > 0 ? 1 / density : 0;
+        const double from = magnitude;
+        magnitude += density * cell_width;
+        cells_.push_back({from, magnitude, inverse * cells_per_pixel, left * inverse, (right - left) * inverse});
+        integral_.push_back(integral_.back() + 0.5 * (left + right) * cell_width);
+    }
+    guide_.resize(cells_.size());
+    for (std::size_t part = 0, i = 0; part < guide_.size(); ++part) {
+        while (cells_[i].to <= static_cast<double>(part) / static_cast<double>(guide_.size()) * magnitude) ++i;
+        guide_[part] = i;
     }
 }
 
-double FilterSampler::at(const std::vector<double>& running, double x) const {
-    const auto index = static_cast<std::ptrdiff_t>(std::lround((x + radius_) * cells_per_pixel));
-    return running[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(index, 0, static_cast<std::ptrdiff_t>(running.size()) - 1))];
+std::size_t FilterSampler::cells_before(double x) const {
+    const double count = std::round((x + radius_) * cells_per_pixel);
+    return static_cast<std::size_t>(std::clamp(count, 0.0, static_cast<double>(cells_.size())));
 }
 
-FilterSampler::Sample FilterSampler::sample(double u, double low, double high) const {
-    const double first = at(magnitude_, low), last = at(magnitude_, high);
-    const double target = first + u * (last - first);
-    const auto above = std::upper_bound(magnitude_.begin() + 1, magnitude_.end() - 1, target);
-    const auto i = static_cast<std::size_t>(above - magnitude_.begin()) - 1;
-    const double inside = (target - magnitude_[i]) / (magnitude_[i + 1] - magnitude_[i]);
-    const double offset = (static_cast<double>(i) + std::clamp(inside, 0.0, 1.0)) * cell - radius_;
-    const double scale = (last - first) / (at(integral_, high) - at(integral_, low));
-    return {offset, static_cast<float>(filter_value(filter_, offset) / density_[i] * scale)};
+FilterSampler::Range FilterSampler::range(double low, double high) const {
+    const std::size_t first = cells_before(low), end = cells_before(high);
+    const double from = cells_[first].from, to = cells_[end - 1].to;
+    return {from, to, (to - from) / (integral_[end] - integral_[first])};
+}
+
+FilterSampler::Sample FilterSampler::sample(const Range& range, double u) const {
+    const double target = range.from + u * (range.to - range.from);
+    const auto part = static_cast<std::size_t>(target / cells_.back().to * static_cast<double>(guide_.size()));
+    std::size_t i = guide_[std::min(part, guide_.size() - 1)];
+    while (i + 1 < cells_.size() && cells_[i].to <= target) ++i;
+    const Cell& cell = cells_[i];
+    const double inside = std::clamp((target - cell.from) * cell.inverse, 0.0, 1.0);
+    return {(static_cast<double>(i) + inside) * cell_width - radius_, static_cast<float>((cell.left + cell.slope * inside) * range.scale)};
 }
 
 }  // namespace pencil
