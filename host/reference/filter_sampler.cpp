@@ -19,14 +19,14 @@ FilterSampler::FilterSampler(const ReconstructionFilter& filter) {
     integral_.push_back(0);
     double magnitude = 0;
     for (int i = -half; i < half; ++i) {
-        // Just inside the cell, where a box that ends at its border still has its value.
-        const double inset = 1e-9 * cell_width, a = i * cell_width + inset, b = (i + 1) * cell_width - inset;
-        const double left = filter_value(filter, a), right = filter_value(filter, b);
+        const double start = std::max(i * cell_width, -filter.radius), end = std::min((i + 1) * cell_width, filter.radius);
+        const double width = end - start, inset = 1e-9 * width;  // just inside, where a box that ends here still has its value
+        const double left = filter_value(filter, start + inset), right = filter_value(filter, end - inset);
         const double density = 0.5 * (std::abs(left) + std::abs(right)), inverse = density > 0 ? 1 / density : 0;
         const double from = magnitude;
-        magnitude += density * cell_width;
-        cells_.push_back({from, magnitude, inverse * cells_per_pixel, left * inverse, (right - left) * inverse});
-        integral_.push_back(integral_.back() + 0.5 * (left + right) * cell_width);
+        magnitude += density * width;
+        cells_.push_back({start, width, from, magnitude, inverse / width, left * inverse, (right - left) * inverse});
+        integral_.push_back(integral_.back() + 0.5 * (left + right) * width);
     }
     guide_.resize(cells_.size());
     for (std::size_t part = 0, i = 0; part < guide_.size(); ++part) {
@@ -53,7 +53,7 @@ FilterSampler::Sample FilterSampler::sample(const Range& range, double u) const 
     while (i + 1 < cells_.size() && cells_[i].to <= target) ++i;
     const Cell& cell = cells_[i];
     const double inside = std::clamp((target - cell.from) * cell.inverse, 0.0, 1.0);
-    return {(static_cast<double>(i) + inside) * cell_width - radius_, static_cast<float>((cell.left + cell.slope * inside) * range.scale)};
+    return {cell.start + inside * cell.width, static_cast<float>((cell.left + cell.slope * inside) * range.scale)};
 }
 
 }  // namespace pencil

@@ -30,13 +30,14 @@ public:
 
 private:
     struct Cell {
-        double from, to;     // integral of |filter| up to its ends
-        double inverse;      // 1 / (to - from)
-        double left, slope;  // filter over density: at the beginning, change over the cell
+        double start, width;  // [pixels]
+        double from, to;      // integral of |filter| up to its ends
+        double inverse;       // 1 / (to - from)
+        double left, slope;   // filter over density: at the beginning, change over the cell
     };
     std::size_t cells_before(double x) const;
 
-    double radius_ = 0;  // of the table, a multiple of the cell width
+    double radius_ = 0;  // of the filter, rounded up to whole cells
     std::vector<Cell> cells_;
     std::vector<double> integral_;    // of the filter before each cell; one more than cells
     std::vector<std::size_t> guide_;  // for equal parts of the integral of |filter|: the first cell that reaches into the part

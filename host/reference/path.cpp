@@ -46,8 +46,7 @@ void record(PathSums& sums, int order, const glm::vec3& radiance) {
 /// Radiance that the surface at `hit` reflects of one light sample.
 glm::vec3 PathIntegrator::direct_light(const RayHit& hit, const glm::vec3& albedo, const glm::dvec2& u, PathSums& sums) const {
     const EmitterSample light = emitters_.sample(u);
-    const glm::vec3 from = off_surface(hit.point, hit.normal, hit.offset), to = off_surface(light.point, light.normal, light.offset);
-    const glm::vec3 segment = to - from;
+    const glm::vec3 segment = light.point - hit.point;
     const float square = glm::dot(segment, segment), inverse = 1.0F / std::sqrt(square);
     const float cosine = glm::dot(hit.shading, segment) * inverse;
     if (!(cosine > 0.0F) || !(glm::dot(hit.normal, segment) > 0.0F)) return glm::vec3(0.0F);
@@ -57,8 +56,9 @@ glm::vec3 PathIntegrator::direct_light(const RayHit& hit, const glm::vec3& albed
         if (!(light_cosine > 0.0F)) return glm::vec3(0.0F);
         radiance *= light_cosine * power_heuristic(light.density * square, cosine * light_cosine / pi);
     }
+    const glm::vec3 from = off_surface(hit.point, hit.normal, hit.offset), to = off_surface(light.point, light.normal, light.offset);
     ++sums.rays;
-    return scene_.occluded({from, segment, 1.0F}) ? glm::vec3(0.0F) : radiance;
+    return scene_.occluded({from, to - from, 1.0F}) ? glm::vec3(0.0F) : radiance;
 }
 
 void PathIntegrator::trace(const Ray& camera_ray, const RayHit& first, float weight, Sampler& sampler, PathSums& sums) const {
