@@ -19,9 +19,11 @@ const char* const exit_codes =
 struct CommandLine {
     CLI::App app{"pencil renders global illumination by pencil light transport on any OpenCL device.", "pencil"};
     RenderCommand render;
+    ReferenceCommand reference;
     InfoCommand info;
     DevicesCommand devices;
     CLI::App* render_app = nullptr;
+    CLI::App* reference_app = nullptr;
     CLI::App* info_app = nullptr;
     CLI::App* devices_app = nullptr;
 
@@ -30,12 +32,15 @@ struct CommandLine {
         app.require_subcommand(0, 1);  // none is refused below, after unknown words
         app.footer(exit_codes);
         render_app = app.add_subcommand("render", "Render a scene to image files");
+        reference_app = app.add_subcommand("reference", "Render a scene by path tracing, to judge other images by");
         info_app = app.add_subcommand("info", "Say what is in a scene and what rendering it needs");
         devices_app = app.add_subcommand("devices", "List the OpenCL devices");
         add_render_options(*render_app, render);
+        add_reference_options(*reference_app, reference);
         add_info_options(*info_app, info);
         add_devices_options(*devices_app, devices);
         render_app->footer(exit_codes);
+        reference_app->footer(exit_codes);
     }
 };
 
@@ -43,13 +48,16 @@ ExitCode run_command(const CommandLine& line) {
     if (line.render_app->parsed()) {
         return run_render(line.render);
     }
+    if (line.reference_app->parsed()) {
+        return run_reference(line.reference);
+    }
     if (line.info_app->parsed()) {
         return run_info(line.info);
     }
     if (line.devices_app->parsed()) {
         return run_devices(line.devices);
     }
-    throw UsageError("a command is required: render, info or devices");
+    throw UsageError("a command is required: render, reference, info or devices");
 }
 
 ExitCode parse_and_run(int argc, char** argv) {

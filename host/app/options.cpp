@@ -62,6 +62,29 @@ void add_scene(CLI::App& app, std::filesystem::path& scene, SceneDefines& define
         ->allow_extra_args(false);
 }
 
+void add_outputs(CLI::App& app, std::vector<std::filesystem::path>& outputs) {
+    app.add_option("-o,--output", outputs, "Image to write, .exr (all layers) or .png; may be repeated")
+        ->required()
+        ->type_name("FILE")
+        ->allow_extra_args(false);
+}
+
+void add_resolution(CLI::App& app, int& width, int& height) {
+    add(app, "--resolution", "Size of the image in pixels; the scene's if absent", "WxH", "",
+        [&width, &height](const std::string& text) { std::tie(width, height) = parse_resolution(text); });
+}
+
+void add_seed(CLI::App& app, std::uint64_t& seed) {
+    add(app, "--seed", "Seed of the random numbers", "S", std::to_string(seed),
+        [&seed](const std::string& text) { seed = parse_seed(text); });
+}
+
+void add_aovs(CLI::App& app, std::vector<std::string>& aovs, const std::vector<std::string>& known) {
+    aovs = known;
+    add(app, "--aov", "Layers beside the beauty, separated by commas {" + join(known) + "}, or all, or none", "A,B", "all",
+        [&aovs, &known](const std::string& text) { aovs = parse_list(text, known); });
+}
+
 void add_solver_options(CLI::App& app, RenderCommand& command) {
     RenderOptions& options = command.options;
     const int many = 1 << 20;
@@ -89,28 +112,21 @@ void add_solver_options(CLI::App& app, RenderCommand& command) {
     add_choice(app, "--iterate", options.iterate, iterations, "Shrinking sets or one fixed set");
     add(app, "--tolerance", "Stop when a bounce adds less than this share (above 0, at most 1)", "X", format_real(options.tolerance),
         [&options](const std::string& text) { options.tolerance = parse_real(text, 0, false, 1); });
-    add(app, "--seed", "Seed of the random numbers", "S", std::to_string(options.seed),
-        [&options](const std::string& text) { options.seed = parse_seed(text); });
+    add_seed(app, options.seed);
 }
 
 void add_film_options(CLI::App& app, RenderCommand& command) {
     RenderOptions& options = command.options;
-    add(app, "--resolution", "Size of the image in pixels; the scene's if absent", "WxH", "",
-        [&options](const std::string& text) { std::tie(options.width, options.height) = parse_resolution(text); });
+    add_resolution(app, options.width, options.height);
     add_integer(app, "--film-samples", options.film_samples, 1, 64, "Visibility samples of a pixel");
-    command.aovs = all_aovs();
-    add(app, "--aov", "Layers beside the beauty, separated by commas {" + join(all_aovs()) + "}, or all, or none", "A,B", "all",
-        [&command](const std::string& text) { command.aovs = parse_list(text, all_aovs()); });
+    add_aovs(app, command.aovs, all_aovs());
 }
 
 }  // namespace
 
 void add_render_options(CLI::App& app, RenderCommand& command) {
     add_scene(app, command.scene, command.defines);
-    app.add_option("-o,--output", command.outputs, "Image to write, .exr (all layers) or .png; may be repeated")
-        ->required()
-        ->type_name("FILE")
-        ->allow_extra_args(false);
+    add_outputs(app, command.outputs);
     add_solver_options(app, command);
     add_film_options(app, command);
     app.add_option("--device", command.device, "Number from `pencil devices`, part of a name, cpu or gpu")
@@ -118,6 +134,23 @@ void add_render_options(CLI::App& app, RenderCommand& command) {
         ->envname("PENCIL_DEVICE");
     app.add_option("--stats", command.stats, "Write times, counts and decisions as JSON")->type_name("FILE");
     app.add_flag("--explain", command.explain, "Print what was decided and what was left out, and why");
+    app.add_flag("--quiet", command.quiet, "No progress and no summary; warnings and errors stay");
+}
+
+void add_reference_options(CLI::App& app, ReferenceCommand& command) {
+    ReferenceOptions& options = command.options;
+    add_scene(app, command.scene, command.defines);
+    add_outputs(app, command.outputs);
+    add_integer(app, "--spp", options.spp, 1, 1 << 24, "Camera paths per pixel");
+    add(app, "--time", "Seconds to trace instead of a number of paths (above 0, at most 1e+06)", "S", "",
+        [&options](const std::string& text) { options.seconds = parse_real(text, 0, false, 1e6); })
+        ->excludes("--spp");
+    add(app, "--max-depth", "Longest paths: 1 emission, 2 direct light ... 1000, or auto for no limit; the scene's if absent", "K", "",
+        [&command](const std::string& text) { command.max_depth = text == "auto" ? -1 : static_cast<int>(parse_integer(text, 1, 1000)); });
+    add_seed(app, options.seed);
+    add_resolution(app, options.width, options.height);
+    add_aovs(app, command.aovs, all_reference_aovs());
+    app.add_option("--stats", command.stats, "Write times and counts as JSON")->type_name("FILE");
     app.add_flag("--quiet", command.quiet, "No progress and no summary; warnings and errors stay");
 }
 
@@ -136,6 +169,15 @@ int reflections(const std::optional<int>& bounces, const Scene& scene) {
 
 const std::vector<std::string>& all_aovs() {
     static const std::vector<std::string> names{"emission", "direct", "bounces", "albedo", "normal", "depth", "position"};
+    return names;
+}
+
+const std::vector<std::string>& all_reference_aovs() {
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all = all_aovs();
+        all.emplace_back("variance");
+        return all;
+    }();
     return names;
 }
 

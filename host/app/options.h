@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "reference/path_tracer.h"
 #include "scene/scene.h"
 #include "transport/render.h"
 
@@ -30,6 +31,17 @@ struct RenderCommand {
     bool explain = false, quiet = false;
 };
 
+struct ReferenceCommand {
+    std::filesystem::path scene;
+    SceneDefines defines;
+    std::vector<std::filesystem::path> outputs;
+    std::vector<std::string> aovs;
+    ReferenceOptions options;      // all but `max_depth` and the wanted layers
+    std::optional<int> max_depth;  // -1: no limit; absent: what the scene says
+    std::filesystem::path stats;   // empty: none
+    bool quiet = false;
+};
+
 struct InfoCommand {
     std::filesystem::path scene;
     SceneDefines defines;
@@ -41,6 +53,7 @@ struct DevicesCommand {
 
 /// Declares the options of a sub-command; parsing fills `command`, which must live as long as `app`.
 void add_render_options(CLI::App& app, RenderCommand& command);
+void add_reference_options(CLI::App& app, ReferenceCommand& command);
 void add_info_options(CLI::App& app, InfoCommand& command);
 void add_devices_options(CLI::App& app, DevicesCommand& command);
 
@@ -48,6 +61,7 @@ void add_devices_options(CLI::App& app, DevicesCommand& command);
 int reflections(const std::optional<int>& bounces, const Scene& scene);
 
 const std::vector<std::string>& all_aovs();
+const std::vector<std::string>& all_reference_aovs();
 
 /// As the command line spells them.
 std::string to_string(Initial value);

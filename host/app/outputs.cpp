@@ -28,16 +28,16 @@ bool same_file(const fs::path& a, const fs::path& b) {
 
 }  // namespace
 
-void check_outputs(const RenderCommand& command) {
-    std::vector<fs::path> files = command.outputs;
+void check_outputs(const std::vector<fs::path>& images, const fs::path& stats, const fs::path& scene) {
+    std::vector<fs::path> files = images;
     for (const fs::path& file : files) {
         image_format(file);
     }
-    if (!command.stats.empty()) {
-        files.push_back(command.stats);
+    if (!stats.empty()) {
+        files.push_back(stats);
     }
     for (auto file = files.begin(); file != files.end(); ++file) {
-        if (same_file(*file, command.scene)) {
+        if (same_file(*file, scene)) {
             throw OutputError("cannot write " + file->string() + ": it is the scene");
         }
         if (std::any_of(files.begin(), file, [&](const fs::path& earlier) { return same_file(earlier, *file); })) {

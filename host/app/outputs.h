@@ -1,15 +1,16 @@
 // Judges, before any work is done, whether the results can be stored: in files, and in memory until then.
 #pragma once
 
+#include <filesystem>
+#include <string>
 #include <vector>
-
-#include "app/options.h"
 
 namespace pencil {
 
 /// UsageError for an extension that cannot be written; OutputError for a folder that cannot be written to, a file named twice, or one that
-/// is the scene.
-void check_outputs(const RenderCommand& command);
+/// is the scene. `stats` may be empty.
+void check_outputs(const std::vector<std::filesystem::path>& images, const std::filesystem::path& stats,
+                   const std::filesystem::path& scene);
 
 /// MemoryError if the image's layers alone exceed this machine's memory.
 void check_film_memory(int width, int height, const std::vector<std::string>& aovs);

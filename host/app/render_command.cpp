@@ -84,7 +84,7 @@ ExitCode run_render(const RenderCommand& command) {
     const Stopwatch total;
     RunReport report;
     set_quiet(command.quiet);
-    check_outputs(command);
+    check_outputs(command.outputs, command.stats, command.scene);
     const Scene scene = timed(report, "load scene", [&] { return load_scene(command.scene, {command.defines}); });
     add_warnings(report, scene.warnings);
 

@@ -8,9 +8,6 @@
 
 namespace pencil {
 
-/// Value of the (separable, unnormalised) filter at distance x from the pixel centre along one axis [pixels].
-double filter_value(const ReconstructionFilter& filter, double x);
-
 /// Positions of the samples inside a pixel, in [0, 1)^2.
 std::vector<glm::vec2> film_sample_offsets(int samples, std::uint64_t seed);
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cl/device.h"
+#include "scene/layer.h"
 #include "scene/scene.h"
 
 namespace pencil {
@@ -36,13 +37,6 @@ struct RenderOptions {
     int width = 0, height = 0;  // 0: the scene's film size
     std::uint64_t seed = 0;
     int film_samples = 16;  // visibility samples per pixel, 1 to 64
-};
-
-/// One image: `channels` floats per pixel, rows from the top.
-struct Layer {
-    std::string name;  // "" is the beauty; otherwise "direct", "bounce2", "albedo", "normal", "depth", "position" ...
-    int channels = 3;
-    std::vector<float> pixels;
 };
 
 struct StageTime {

@@ -1,4 +1,5 @@
 // Where no light goes there is exactly none: behind walls, without emitters, without albedo, without geometry.
+#include "scenes/known_scenes.h"
 #include "scenes/scene_builder.h"
 
 namespace {
@@ -6,26 +7,7 @@ namespace {
 using namespace pencil;
 using namespace pencil::test;
 
-const Surface white{glm::vec3(0.8F), glm::vec3(0.0F), false}, white_both{glm::vec3(0.8F), glm::vec3(0.0F), true};
-
-/// Two unit rooms side by side along x; the lit one is at x < 1. `thickness` 0: one two-sided sheet between them.
-Scene two_rooms(double thickness, bool lamp_is_area) {
-    Scene scene;
-    add_box(scene, {0, 0, 0}, {2, 1, 1}, white);
-    if (thickness > 0.0) {
-        add_wall(scene, 1, {0, 0, 0}, {1 - thickness / 2, 1, 1}, white);
-        add_wall(scene, 0, {1 + thickness / 2, 0, 0}, {2, 1, 1}, white);
-    } else {
-        add_quad(scene, "sheet", {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, white_both);
-    }
-    if (lamp_is_area) {
-        add_quad(scene, "lamp", {0.3, 0.95, 0.3}, {0.4, 0, 0}, {0, 0, 0.4}, {glm::vec3(0.0F), glm::vec3(10.0F), false});
-    } else {
-        scene.point_lights.push_back({{0.5, 0.9, 0.5}, glm::vec3(10.0F)});
-    }
-    look_at(scene, {1.9, 0.5, 0.1}, {1.0, 0.45, 0.9}, {0, 1, 0}, 95.0, 64, 64);
-    return scene;
-}
+const Surface white{glm::vec3(0.8F), glm::vec3(0.0F), false};
 
 RenderOptions options(Initial initial) {
     RenderOptions out;

@@ -1,5 +1,5 @@
 // Direct light alone against closed forms: a point light over a plane and in a sphere, a polygon over a plane.
-#include "reference/form_factor_ref.h"
+#include "scenes/known_scenes.h"
 #include "scenes/scene_builder.h"
 
 namespace {
@@ -70,26 +70,6 @@ TEST(DirectLight, ShadowOfAQuad) {
     }
     EXPECT_GT(dark, 100);
     EXPECT_GT(lit, 100);
-}
-
-/// Inward sphere of radius r about the origin: latitude-longitude, flat faces.
-std::vector<Face> inward_sphere(double r, int rings) {
-    std::vector<Face> faces;
-    const auto at = [&](int i, int j) {
-        const double theta = ref::pi * i / rings, phi = ref::pi * (j % (2 * rings)) / rings;
-        return dvec3(r * std::sin(theta) * std::cos(phi), r * std::cos(theta), r * std::sin(theta) * std::sin(phi));
-    };
-    for (int i = 0; i < rings; ++i) {
-        for (int j = 0; j < 2 * rings; ++j) {
-            const auto add = [&](dvec3 a, dvec3 b, dvec3 c) {
-                if (glm::dot(glm::cross(b - a, c - a), a + b + c) > 0.0) std::swap(b, c);
-                faces.push_back({a, b, c});
-            };
-            if (i > 0) add(at(i, j), at(i, j + 1), at(i + 1, j));
-            if (i < rings - 1) add(at(i, j + 1), at(i + 1, j + 1), at(i + 1, j));
-        }
-    }
-    return faces;
 }
 
 TEST(DirectLight, SphereWithAPointLightAtItsCentre) {

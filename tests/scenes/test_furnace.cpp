@@ -1,5 +1,6 @@
 // Closed furnace: every wall emits 1 and reflects a. Radiance is 1 / (1 - a) everywhere and the k-th reflection adds a^k. Every
 // self-normalised estimator passes; leaks, lost bounces, wrong closure of the series and double counting fail.
+#include "scenes/known_scenes.h"
 #include "scenes/scene_builder.h"
 
 namespace {
@@ -8,13 +9,6 @@ using namespace pencil;
 using namespace pencil::test;
 
 constexpr double promised = 1e-3;
-
-Scene furnace(float albedo) {
-    Scene scene;
-    add_box(scene, {-1, -1, -1}, {1.5, 1, 1}, {glm::vec3(albedo), glm::vec3(1.0F), false});
-    look_at(scene, {-0.7, 0.2, 0.6}, {1.2, -0.3, -0.8}, {0, 1, 0}, 90.0, 48, 32);
-    return scene;
-}
 
 RenderOptions emission_options() {
     RenderOptions options;

@@ -3,7 +3,7 @@
 //   test_scenes --gtest_also_run_disabled_tests --gtest_filter='*LitWall*Table*'   prints the table of docs/accuracy.md.
 #include <cstdio>
 
-#include "reference/form_factor_ref.h"
+#include "scenes/known_scenes.h"
 #include "scenes/scene_builder.h"
 
 namespace {
@@ -17,17 +17,6 @@ struct Place {
 };
 constexpr std::array<Place, 5> places{
     {{"0.5", 0.5, 0.5}, {"0.2", 0.2, 0.5}, {"0.05", 0.05, 0.5}, {"0.01", 0.01, 0.5}, {"corner", 0.02, 0.02}}};
-
-Scene lit_wall_box() {
-    Scene scene;
-    for (int wall = 0; wall < 6; ++wall) {
-        const Surface lit{glm::vec3(0.0F), glm::vec3(1.0F), false}, receiver{glm::vec3(1.0F), glm::vec3(0.0F), false};
-        add_wall(scene, wall, dvec3(0.0), dvec3(1.0), wall == 0 ? lit : receiver);
-    }
-    // From the box's middle straight down: with 90 degrees the film is exactly the floor.
-    look_at(scene, {0.5, 0.5, 0.5}, {0.5, 0, 0.5}, {0, 0, 1}, 90.0, 200, 200);
-    return scene;
-}
 
 /// Ratio of the rendered to the exact irradiance at the pixels nearest to the places.
 std::array<double, 5> ratios(Weights weights, int pencils, int map, std::uint64_t seed) {

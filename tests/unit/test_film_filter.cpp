@@ -3,6 +3,7 @@
 
 #include "pencils/film_filter.h"
 #include "reference/film_ref.h"
+#include "scene/filter_value.h"
 
 namespace {
 

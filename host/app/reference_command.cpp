@@ -1,0 +1,116 @@
+// `pencil reference`: refuses early what can be refused, and always writes what was traced.
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+
+#include "app/commands.h"
+#include "app/interrupt.h"
+#include "app/message.h"
+#include "app/outputs.h"
+#include "app/reference_report.h"
+#include "scene/load_scene.h"
+#include "util/log.h"
+#include "util/progress.h"
+
+namespace pencil {
+namespace {
+
+class Stopwatch {
+public:
+    double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+void add_warnings(ReferenceReport& report, const std::vector<std::string>& warnings) {
+    for (const std::string& warning : warnings) {
+        print_warning(warning);
+        report.warnings.push_back(warning);
+    }
+}
+
+ReferenceOptions options_for(const ReferenceCommand& command, const Scene& scene) {
+    ReferenceOptions options = command.options;
+    options.max_depth = command.max_depth.value_or(scene.max_depth);
+    if (options.width <= 0) {
+        options.width = scene.sensor.width;
+        options.height = scene.sensor.height;
+    }
+    const auto wants_any = [&](const std::vector<std::string>& names) {
+        return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return contains(command.aovs, name); });
+    };
+    options.bounces = wants_any({"emission", "direct", "bounces"});
+    options.surfaces = wants_any({"albedo", "normal", "depth", "position"});
+    options.variance = wants_any({"variance"});
+    return options;
+}
+
+ReferenceResult trace_with_progress(const Scene& scene, const ReferenceCommand& command, const ReferenceOptions& options) {
+    ProgressDisplay display(command.quiet ? ProgressDisplay::Style::none : ProgressDisplay::style_for(stderr));
+    return trace_paths(scene, options, [&display](const std::string& stage, double fraction) {
+        display.update(stage, fraction);
+        return interrupted_by() == 0;
+    });
+}
+
+/// The layers come in groups; those that nobody asked for are dropped here.
+bool is_wanted(const Layer& layer, const std::vector<std::string>& aovs) {
+    const bool bounce = layer.name.rfind("bounce", 0) == 0 || layer.name == "tail";
+    return layer.name.empty() || contains(aovs, bounce ? "bounces" : layer.name);
+}
+
+void write_images(ReferenceReport& report, const ReferenceCommand& command) {
+    LayeredImage image{report.result.width, report.result.height, {}};
+    for (const Layer& layer : report.result.layers) {
+        if (is_wanted(layer, command.aovs)) {
+            image.layers.push_back({layer.name, layer.channels, layer.pixels.data()});
+            if (!layer.name.empty()) {
+                report.layers.push_back(layer.name);
+            }
+        }
+    }
+    const Metadata metadata = image_metadata(report, command, !command.stats.empty());
+    for (const std::filesystem::path& output : command.outputs) {
+        add_warnings(report, write_image(output, image, metadata));
+    }
+}
+
+}  // namespace
+
+ExitCode run_reference(const ReferenceCommand& command) {
+    const Stopwatch total;
+    ReferenceReport report;
+    set_quiet(command.quiet);
+    check_outputs(command.outputs, command.stats, command.scene);
+    const Scene scene = load_scene(command.scene, {command.defines});
+    report.load_seconds = total.seconds();
+    add_warnings(report, scene.warnings);
+    report.options = options_for(command, scene);
+    check_film_memory(report.options.width, report.options.height, command.aovs);
+
+    report.result = trace_with_progress(scene, command, report.options);
+    add_warnings(report, report.result.warnings);
+    report.total_seconds = total.seconds();
+    const Stopwatch writing;
+    write_images(report, command);
+    report.write_seconds = writing.seconds();
+    report.total_seconds = total.seconds();
+    if (!command.stats.empty()) {
+        write_stats(command.stats, report, command);
+    }
+    if (!command.quiet) {
+        print_summary(std::cout, report, command.outputs);
+    }
+    if (report.result.interrupted) {
+        print_error("interrupted; the partial result is written");
+        return ExitCode::interrupted;
+    }
+    return ExitCode::ok;
+}
+
+}  // namespace pencil

@@ -1,0 +1,41 @@
+// One light path: from a camera ray through diffuse reflections to emitters.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+
+#include "reference/emitters.h"
+#include "reference/ray_scene.h"
+#include "reference/sampler.h"
+
+namespace pencil {
+
+/// Orders of reflection that are kept apart: 0 emission, 1 direct light, up to most_orders - 2; the last holds all beyond.
+constexpr int most_orders = 17;
+
+/// Sums over paths.
+struct PathSums {
+    std::array<glm::vec3, most_orders> radiance{};
+    int orders = 0;  // of `radiance` that hold something
+    std::uint64_t rays = 0;
+    std::uint64_t dropped = 0;  // contributions that were no finite numbers
+};
+
+class PathIntegrator {
+public:
+    PathIntegrator(const RayScene& scene, const Emitters& emitters, int max_depth)
+        : scene_(scene), emitters_(emitters), max_depth_(max_depth) {}
+
+    /// Adds `weight` times what arrives at the camera from the surface point that its ray met.
+    void trace(const Ray& camera_ray, const RayHit& first, float weight, Sampler& sampler, PathSums& sums) const;
+
+private:
+    glm::vec3 direct_light(const RayHit& hit, const glm::vec3& albedo, const glm::dvec2& u, PathSums& sums) const;
+
+    const RayScene& scene_;
+    const Emitters& emitters_;
+    int max_depth_;
+};
+
+}  // namespace pencil

@@ -1,0 +1,45 @@
+// The yardstick: a path tracer that shares the scene loader with the pencil renderer and nothing of its light transport. It casts rays
+// with Embree, estimates direct light by next-event estimation and BRDF sampling combined by multiple importance sampling, and ends
+// paths by Russian roulette; its expectation is the exact solution for the scene's triangles.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "scene/layer.h"
+#include "scene/scene.h"
+
+namespace pencil {
+
+struct ReferenceOptions {
+    int spp = 256;              // camera paths per pixel; not used if `seconds` is given
+    double seconds = 0;         // budget of tracing (the BVH's build apart), kept to within half a path per pixel; 0: go by `spp`
+    int max_depth = -1;         // as Scene::max_depth: 1 is emission, 2 direct light, -1 no limit
+    int width = 0, height = 0;  // 0: the scene's film size
+    std::uint64_t seed = 0;
+    int threads = 0;        // that trace; 0: all cores
+    bool bounces = false;   // layers "emission", "direct", "bounce2" ..., and "tail" for the orders beyond
+    bool surfaces = false;  // layers "albedo", "depth", "position", "normal"
+    bool variance = false;  // layer "variance": of the mean in each pixel and channel, from independent sets of samples
+};
+
+struct ReferenceResult {
+    int width = 0, height = 0;
+    std::vector<Layer> layers;  // beauty first
+    int spp = 0;                // camera paths that every pixel has
+    std::uint64_t paths = 0, rays = 0;
+    double trace_seconds = 0, build_seconds = 0;  // wall clock: tracing; normalising the scene and building the BVH
+    bool interrupted = false;                     // stopped early: the layers hold what was finished
+    std::vector<std::string> warnings;
+};
+
+/// Called now and then, from any thread but never from two at once; `fraction` in [0, 1] of the stage. Return false to stop early.
+using ReferenceProgress = std::function<bool(const std::string& stage, double fraction)>;
+
+/// Equal scene, options and seed give equal bits whatever the number of threads, unless a time budget decides. UsageError for options
+/// out of range, MemoryError if Embree cannot get memory.
+ReferenceResult trace_paths(const Scene& scene, const ReferenceOptions& options, const ReferenceProgress& progress = {});
+
+}  // namespace pencil
