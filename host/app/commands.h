@@ -9,6 +9,7 @@ namespace pencil {
 ExitCode run_render(const RenderCommand& command);
 ExitCode run_reference(const ReferenceCommand& command);
 ExitCode run_info(const InfoCommand& command);
+ExitCode run_compare(const CompareCommand& command);
 ExitCode run_devices(const DevicesCommand& command);
 
 }  // namespace pencil

@@ -161,6 +161,13 @@ void add_reference_options(CLI::App& app, ReferenceCommand& command) {
 
 void add_info_options(CLI::App& app, InfoCommand& command) { add_scene(app, command.scene, command.defines); }
 
+void add_compare_options(CLI::App& app, CompareCommand& command) {
+    app.add_option("IMAGE", command.image, "Image to judge: OpenEXR, PNG or Radiance HDR")->required()->type_name("");
+    app.add_option("REFERENCE", command.reference, "Image taken as the truth")->required()->type_name("");
+    app.add_option("--diff", command.difference, "Write the difference in false colours, .png or .exr")->type_name("FILE");
+    app.add_flag("--json", command.json, "Print JSON instead of a table");
+}
+
 void add_devices_options(CLI::App& app, DevicesCommand& command) {
     app.add_flag("--self-test", command.self_test, "Run known answers on every device; exit status 4 if one is wrong");
 }

@@ -47,6 +47,12 @@ struct InfoCommand {
     SceneDefines defines;
 };
 
+struct CompareCommand {
+    std::filesystem::path image, reference;
+    std::filesystem::path difference;  // empty: none
+    bool json = false;
+};
+
 struct DevicesCommand {
     bool self_test = false;
 };
@@ -55,6 +61,7 @@ struct DevicesCommand {
 void add_render_options(CLI::App& app, RenderCommand& command);
 void add_reference_options(CLI::App& app, ReferenceCommand& command);
 void add_info_options(CLI::App& app, InfoCommand& command);
+void add_compare_options(CLI::App& app, CompareCommand& command);
 void add_devices_options(CLI::App& app, DevicesCommand& command);
 
 /// RenderOptions::bounces: --bounces if given, otherwise the scene's max_depth, which counts the emitter as the first vertex.

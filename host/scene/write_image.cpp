@@ -181,4 +181,9 @@ float linear_to_srgb(float linear) {
     return linear <= 0.0031308F ? 12.92F * linear : 1.055F * std::pow(linear, 1 / 2.4F) - 0.055F;
 }
 
+float srgb_to_linear(float shown) {
+    // IEC 61966-2-1
+    return shown <= 0.04045F ? shown / 12.92F : std::pow((shown + 0.055F) / 1.055F, 2.4F);
+}
+
 }  // namespace pencil
