@@ -183,7 +183,7 @@ void add_converge_options(CLI::App& app, ConvergeCommand& command) {
     add(app, "--methods", "Methods beside the path tracer, separated by commas {" + join(all_method_names()) + "}, or all, or none", "A,B",
         "all", [&command](const std::string& text) { command.methods = parse_list(text, all_method_names()); });
     add_integer(app, "--seeds", command.seeds, 1, 1000, "Runs of each budget");
-    add(app, "--longest", "Seconds of the longest runs, about (above 0, at most 86400)", "S", format_real(command.longest),
+    add(app, "--longest", "Seconds of a run from which on budgets stop growing (above 0, at most 86400)", "S", format_real(command.longest),
         [&command](const std::string& text) { command.longest = parse_real(text, 0, false, 86400); });
     add(app, "--resolution", "Size of the image in pixels; the reference's, or the scene's shape in 256 pixels, if absent", "WxH", "",
         [&command](const std::string& text) { std::tie(command.width, command.height) = parse_resolution(text); });

@@ -60,7 +60,7 @@ struct ConvergeCommand {
     std::filesystem::path folder;
     std::vector<std::string> methods;
     int seeds = 3;
-    double longest = 10;        // [s] of a run
+    double longest = 10;        // [s] where budgets stop growing
     int width = 0, height = 0;  // 0: the reference's size, or the scene's shape
     std::string device;
     bool quiet = false;

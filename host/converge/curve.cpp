@@ -10,6 +10,7 @@ constexpr double steepest = 1.5, exponent_step = 0.01;  // exponents that are tr
 constexpr double flat_slope = -0.05;                    // an error that falls by less than 11 % in ten times the time does not fall
 constexpr double floor_share = 0.5;                     // of the last error, below which a floor is not seen
 constexpr double significant = 8;                       // F(1, n - 3) at about the 5 % level for 6 to 8 points
+constexpr double same_time = 1.05;                      // ratio of times that are not told apart
 constexpr double precision = 1e-3;                      // relative, of a measured error: residuals below it mean nothing
 
 double interpolate(double x, double x0, double y0, double x1, double y1) {
@@ -73,12 +74,13 @@ Curve make_curve(std::vector<CurvePoint> points) {
 }
 
 Reading error_at(const Curve& curve, double seconds) {
-    if (curve.empty() || seconds > curve.back().seconds) {
+    if (curve.empty() || seconds > curve.back().seconds * same_time) {
         return {Reading::Kind::not_reached, curve.empty() ? 0 : curve.back().seconds};
     }
-    if (seconds < curve.front().seconds) {
+    if (seconds * same_time < curve.front().seconds) {
         return {Reading::Kind::before_first, curve.front().seconds};
     }
+    seconds = std::clamp(seconds, curve.front().seconds, curve.back().seconds);
     const auto after = std::find_if(curve.begin(), curve.end(), [&](const CurvePoint& point) { return point.seconds >= seconds; });
     const auto before = after == curve.begin() ? after : after - 1;
     return {Reading::Kind::measured, interpolate(seconds, before->seconds, before->error, after->seconds, after->error)};

@@ -28,7 +28,8 @@ struct Reading {
     double value = 0;
 };
 
-/// The error at a time, linear between points on logarithmic scales.
+/// The error at a time, linear between points on logarithmic scales. A time within 5 % of the first or last point's counts as it: a budget
+/// of 10 s is kept to 9.98 s.
 Reading error_at(const Curve& curve, double seconds);
 /// The time at which the error first falls to `error`.
 Reading time_to(const Curve& curve, double error);

@@ -13,7 +13,7 @@ struct ConvergeOptions {
     std::filesystem::path folder;
     std::vector<std::string> methods;  // beside the path tracer
     int seeds = 3;
-    double longest = 10;        // [s] of a run
+    double longest = 10;        // [s] where ladders end, see RunPlan
     int width = 0, height = 0;  // [pixels]
     int bounces = -1;           // reflections at most, direct light included; -1: no limit
     std::string version;        // of the program

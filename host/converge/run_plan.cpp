@@ -11,7 +11,8 @@ constexpr int most_budgets = 64;
 constexpr double first_growth = 1.5;  // of time from the first to the second step, when nothing is known yet
 constexpr double least_growth = 1.0, most_growth = 4.0;
 constexpr double rounding = 1e-9;
-constexpr double ladder_sum = 3;  // time of a whole ladder relative to its longest run
+constexpr double most_excess = 3;  // of the last run's time over the longest that was asked for
+constexpr double ladder_sum = 4;   // time of a whole ladder relative to its longest run
 
 }  // namespace
 
@@ -36,7 +37,7 @@ bool RunPlan::exists(const std::string& method, int budget, const std::vector<Ru
     }
     const RunPoint* before = find_point(done, method, budget - 2, 0);
     const double ratio = before == nullptr ? first_growth : last->seconds / before->seconds;
-    return last->seconds * std::clamp(ratio, least_growth, most_growth) <= longest_;
+    return last->seconds < longest_ && last->seconds * std::clamp(ratio, least_growth, most_growth) <= most_excess * longest_;
 }
 
 std::optional<Task> RunPlan::next(const std::vector<RunPoint>& done) const {

@@ -18,11 +18,12 @@ struct Task {
 
 class RunPlan {
 public:
-    /// Every method with seeds 0 to `seeds` - 1; no run longer than about `longest` seconds.
+    /// Every method with seeds 0 to `seeds` - 1. A ladder ends with its first run of at least `longest` seconds, so that its curve covers
+    /// that time, or before a run of three times as long.
     RunPlan(std::vector<std::string> methods, int seeds, double longest) : methods_(std::move(methods)), seeds_(seeds), longest_(longest) {}
 
     /// The first run that is missing: all methods and budgets of a seed before the next seed, so that an early end leaves whole curves.
-    /// Seed 0 climbs a method's ladder until the next step would take too long; the other seeds follow it.
+    /// Seed 0 finds where a method's ladder ends; the other seeds follow it.
     std::optional<Task> next(const std::vector<RunPoint>& done) const;
 
     /// The method's ladder ends below `budget`: it does not fit into memory.

@@ -67,20 +67,21 @@ std::vector<RunPoint> simulate(const RunPlan& plan, double first, double growth,
     return done;
 }
 
-TEST(RunPlan, ClimbsUntilTheNextStepWouldTakeTooLong) {
+TEST(RunPlan, ClimbsUntilARunTakesThatLong) {
     const RunPlan plan({path_tracer_name, "sets"}, 2, 10);
     const std::vector<RunPoint> done = simulate(plan, 0.2, 1.7);
-    double longest = 0;
-    for (const RunPoint& run : done) {
-        longest = std::max(longest, run.seconds);
-    }
-    EXPECT_LE(longest, 10);
     EXPECT_NE(find_point(done, path_tracer_name, 5, 1), nullptr) << "10 s";
     EXPECT_EQ(find_point(done, path_tracer_name, 6, 0), nullptr) << "30 s";
-    EXPECT_NE(find_point(done, "sets", 7, 1), nullptr) << "0.2 * 1.7^7 = 8.2 s";
-    EXPECT_EQ(find_point(done, "sets", 8, 0), nullptr) << "14 s";
-    EXPECT_EQ(done.size(), 2U * (6 + 8));
+    EXPECT_NE(find_point(done, "sets", 8, 1), nullptr) << "0.2 * 1.7^8 = 14 s covers 10 s";
+    EXPECT_EQ(find_point(done, "sets", 9, 0), nullptr) << "10 s are reached";
+    EXPECT_EQ(done.size(), 2U * (6 + 9));
     EXPECT_EQ(plan.expected_seconds(done), 0);
+}
+
+TEST(RunPlan, StopsBeforeARunOfThreeTimesAsLong) {
+    const std::vector<RunPoint> done = simulate(RunPlan({"sets"}, 1, 10), 0.15, 3.9);
+    EXPECT_NE(find_point(done, "sets", 3, 0), nullptr) << "8.9 s";
+    EXPECT_EQ(find_point(done, "sets", 4, 0), nullptr) << "35 s";
 }
 
 TEST(RunPlan, WholeCurvesOfOneSeedFirst) {
