@@ -21,10 +21,14 @@ struct CommandLine {
     RenderCommand render;
     ReferenceCommand reference;
     InfoCommand info;
+    CompareCommand compare;
+    ConvergeCommand converge;
     DevicesCommand devices;
     CLI::App* render_app = nullptr;
     CLI::App* reference_app = nullptr;
     CLI::App* info_app = nullptr;
+    CLI::App* compare_app = nullptr;
+    CLI::App* converge_app = nullptr;
     CLI::App* devices_app = nullptr;
 
     CommandLine() {
@@ -34,10 +38,14 @@ struct CommandLine {
         render_app = app.add_subcommand("render", "Render a scene to image files");
         reference_app = app.add_subcommand("reference", "Render a scene by path tracing, to judge other images by");
         info_app = app.add_subcommand("info", "Say what is in a scene and what rendering it needs");
+        compare_app = app.add_subcommand("compare", "Measure the error of an image against a reference");
+        converge_app = app.add_subcommand("converge", "Measure error against run time of all methods and the path tracer");
         devices_app = app.add_subcommand("devices", "List the OpenCL devices");
         add_render_options(*render_app, render);
         add_reference_options(*reference_app, reference);
         add_info_options(*info_app, info);
+        add_compare_options(*compare_app, compare);
+        add_converge_options(*converge_app, converge);
         add_devices_options(*devices_app, devices);
         render_app->footer(exit_codes);
         reference_app->footer(exit_codes);
@@ -54,10 +62,16 @@ ExitCode run_command(const CommandLine& line) {
     if (line.info_app->parsed()) {
         return run_info(line.info);
     }
+    if (line.compare_app->parsed()) {
+        return run_compare(line.compare);
+    }
+    if (line.converge_app->parsed()) {
+        return run_converge(line.converge);
+    }
     if (line.devices_app->parsed()) {
         return run_devices(line.devices);
     }
-    throw UsageError("a command is required: render, reference, info or devices");
+    throw UsageError("a command is required: render, reference, compare, converge, info or devices");
 }
 
 ExitCode parse_and_run(int argc, char** argv) {

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "app/option_values.h"
+#include "converge/methods.h"
 
 namespace pencil {
 namespace {
@@ -85,6 +86,12 @@ void add_aovs(CLI::App& app, std::vector<std::string>& aovs, const std::vector<s
         [&aovs, &known](const std::string& text) { aovs = parse_list(text, known); });
 }
 
+void add_device(CLI::App& app, std::string& device) {
+    app.add_option("--device", device, "Number from `pencil devices`, part of a name, cpu or gpu")
+        ->type_name("D")
+        ->envname("PENCIL_DEVICE");
+}
+
 void add_solver_options(CLI::App& app, RenderCommand& command) {
     RenderOptions& options = command.options;
     const int many = 1 << 20;
@@ -129,9 +136,7 @@ void add_render_options(CLI::App& app, RenderCommand& command) {
     add_outputs(app, command.outputs);
     add_solver_options(app, command);
     add_film_options(app, command);
-    app.add_option("--device", command.device, "Number from `pencil devices`, part of a name, cpu or gpu")
-        ->type_name("D")
-        ->envname("PENCIL_DEVICE");
+    add_device(app, command.device);
     app.add_option("--stats", command.stats, "Write times, counts and decisions as JSON")->type_name("FILE");
     app.add_flag("--explain", command.explain, "Print what was decided and what was left out, and why");
     app.add_flag("--quiet", command.quiet, "No progress and no summary; warnings and errors stay");
@@ -156,6 +161,31 @@ void add_reference_options(CLI::App& app, ReferenceCommand& command) {
 
 void add_info_options(CLI::App& app, InfoCommand& command) { add_scene(app, command.scene, command.defines); }
 
+void add_compare_options(CLI::App& app, CompareCommand& command) {
+    app.add_option("IMAGE", command.image, "Image to judge: OpenEXR, PNG or Radiance HDR")->required()->type_name("");
+    app.add_option("REFERENCE", command.reference, "Image taken as the truth")->required()->type_name("");
+    app.add_option("--diff", command.difference, "Write the difference in false colours, .png or .exr")->type_name("FILE");
+    app.add_flag("--json", command.json, "Print JSON instead of a table");
+}
+
+void add_converge_options(CLI::App& app, ConvergeCommand& command) {
+    add_scene(app, command.scene, command.defines);
+    app.add_option("-o,--output", command.folder, "Folder for points.csv, summary.json, index.html and images; made if absent")
+        ->required()
+        ->type_name("DIR");
+    app.add_option("--reference", command.reference, "Image taken as the truth; made by the path tracer if absent")->type_name("FILE");
+    command.methods = all_method_names();
+    add(app, "--methods", "Methods beside the path tracer, separated by commas {" + join(all_method_names()) + "}, or all, or none", "A,B",
+        "all", [&command](const std::string& text) { command.methods = parse_list(text, all_method_names()); });
+    add_integer(app, "--seeds", command.seeds, 1, 1000, "Runs of each budget");
+    add(app, "--longest", "Seconds of a run from which on budgets stop growing (above 0, at most 86400)", "S", format_real(command.longest),
+        [&command](const std::string& text) { command.longest = parse_real(text, 0, false, 86400); });
+    add(app, "--resolution", "Size of the image in pixels; the reference's, or the scene's shape in 256 pixels, if absent", "WxH", "",
+        [&command](const std::string& text) { std::tie(command.width, command.height) = parse_resolution(text); });
+    add_device(app, command.device);
+    app.add_flag("--quiet", command.quiet, "No progress and no summary; warnings and errors stay");
+}
+
 void add_devices_options(CLI::App& app, DevicesCommand& command) {
     app.add_flag("--self-test", command.self_test, "Run known answers on every device; exit status 4 if one is wrong");
 }
@@ -176,6 +206,17 @@ const std::vector<std::string>& all_reference_aovs() {
     static const std::vector<std::string> names = [] {
         std::vector<std::string> all = all_aovs();
         all.emplace_back("variance");
+        return all;
+    }();
+    return names;
+}
+
+const std::vector<std::string>& all_method_names() {
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all;
+        for (const MeasuredMethod& method : all_methods()) {
+            all.push_back(method.name);
+        }
         return all;
     }();
     return names;

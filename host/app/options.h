@@ -47,6 +47,25 @@ struct InfoCommand {
     SceneDefines defines;
 };
 
+struct CompareCommand {
+    std::filesystem::path image, reference;
+    std::filesystem::path difference;  // empty: none
+    bool json = false;
+};
+
+struct ConvergeCommand {
+    std::filesystem::path scene;
+    SceneDefines defines;
+    std::filesystem::path reference;  // empty: made by the path tracer
+    std::filesystem::path folder;
+    std::vector<std::string> methods;
+    int seeds = 3;
+    double longest = 10;        // [s] where budgets stop growing
+    int width = 0, height = 0;  // 0: the reference's size, or the scene's shape
+    std::string device;
+    bool quiet = false;
+};
+
 struct DevicesCommand {
     bool self_test = false;
 };
@@ -55,6 +74,8 @@ struct DevicesCommand {
 void add_render_options(CLI::App& app, RenderCommand& command);
 void add_reference_options(CLI::App& app, ReferenceCommand& command);
 void add_info_options(CLI::App& app, InfoCommand& command);
+void add_compare_options(CLI::App& app, CompareCommand& command);
+void add_converge_options(CLI::App& app, ConvergeCommand& command);
 void add_devices_options(CLI::App& app, DevicesCommand& command);
 
 /// RenderOptions::bounces: --bounces if given, otherwise the scene's max_depth, which counts the emitter as the first vertex.
@@ -62,6 +83,8 @@ int reflections(const std::optional<int>& bounces, const Scene& scene);
 
 const std::vector<std::string>& all_aovs();
 const std::vector<std::string>& all_reference_aovs();
+/// What `converge` can measure beside the path tracer.
+const std::vector<std::string>& all_method_names();
 
 /// As the command line spells them.
 std::string to_string(Initial value);

@@ -9,6 +9,7 @@
 #include "app/outputs.h"
 #include "app/reference_report.h"
 #include "scene/load_scene.h"
+#include "scene/scene_fingerprint.h"
 #include "util/log.h"
 #include "util/progress.h"
 
@@ -90,6 +91,7 @@ ExitCode run_reference(const ReferenceCommand& command) {
     const Scene scene = load_scene(command.scene, {command.defines});
     report.load_seconds = total.seconds();
     add_warnings(report, scene.warnings);
+    report.scene_fingerprint = scene_fingerprint(scene);
     report.options = options_for(command, scene);
     check_film_memory(report.options.width, report.options.height, command.aovs);
 

@@ -69,6 +69,7 @@ Metadata image_metadata(const ReferenceReport& report, const ReferenceCommand& c
         {"pencil:version", PENCIL_VERSION},
         {"pencil:method", "path tracing"},
         {"pencil:scene", command.scene.filename().string()},
+        {"pencil:sceneFingerprint", report.scene_fingerprint},
         {"pencil:spp", report.result.spp},
         {"pencil:maxDepth", depth_text(options.max_depth)},
         {"pencil:seed", std::to_string(options.seed)},

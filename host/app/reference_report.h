@@ -11,6 +11,7 @@
 namespace pencil {
 
 struct ReferenceReport {
+    std::string scene_fingerprint;
     ReferenceOptions options;  // as used: depth and film size resolved
     ReferenceResult result;    // its layers may have been moved away
     std::vector<std::string> layers, warnings;

@@ -9,6 +9,7 @@
 #include "app/outputs.h"
 #include "app/run_report.h"
 #include "scene/load_scene.h"
+#include "scene/scene_fingerprint.h"
 #include "util/log.h"
 #include "util/progress.h"
 
@@ -87,6 +88,7 @@ ExitCode run_render(const RenderCommand& command) {
     check_outputs(command.outputs, command.stats, command.scene);
     const Scene scene = timed(report, "load scene", [&] { return load_scene(command.scene, {command.defines}); });
     add_warnings(report, scene.warnings);
+    report.scene_fingerprint = scene_fingerprint(scene);
 
     report.options = command.options;
     report.options.bounces = reflections(command.bounces, scene);

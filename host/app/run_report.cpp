@@ -78,6 +78,7 @@ Metadata image_metadata(const RunReport& report, const RenderCommand& command, b
         {"Software", "pencil " PENCIL_VERSION},
         {"pencil:version", PENCIL_VERSION},
         {"pencil:scene", command.scene.filename().string()},
+        {"pencil:sceneFingerprint", report.scene_fingerprint},
         {"pencil:device", report.device.name},
         {"pencil:driver", report.device.platform + " " + report.device.driver},
         {"pencil:packetWidth", report.packet_width},  // the order of float additions depends on it

@@ -15,6 +15,7 @@
 namespace pencil {
 
 struct RunReport {
+    std::string scene_fingerprint;
     DeviceInfo device;
     int packet_width = 1;
     RenderOptions options;  // as used: bounces and film size resolved

@@ -1,6 +1,7 @@
 // Quantities as a reader wants them.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <string>
@@ -24,6 +25,13 @@ inline std::string format_size(std::uint64_t bytes) {
 inline std::string format_short(double value) {
     char text[32];
     std::snprintf(text, sizeof(text), "%.3g", value);
+    return text;
+}
+
+/// `digits` after the point.
+inline std::string format_fixed(double value, int digits) {
+    char text[64];
+    std::snprintf(text, sizeof(text), std::abs(value) < 1e9 ? "%.*f" : "%.*e", digits, value);
     return text;
 }
 

@@ -71,6 +71,12 @@ Image read(const fs::path& path, std::uint64_t most_bytes) {
     image.width = spec.width;
     image.height = spec.height;
     image.channels = spec.channelnames;
+    image.display = format == "png";
+    if (format == "openexr") {
+        for (const OIIO::ParamValue& attribute : spec.extra_attribs) {
+            image.metadata[attribute.name().string()] = attribute.get_string();
+        }
+    }
     image.pixels.resize(std::size_t(spec.width) * spec.height * spec.nchannels);
     if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.pixels.data())) {
         throw SceneError(path.string(), "is damaged: " + input->geterror());

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -11,8 +12,10 @@ namespace pencil {
 
 struct Image {
     int width = 0, height = 0;
-    std::vector<std::string> channels;  // for example "R", "G", "B", "direct.R"
-    std::vector<float> pixels;          // rows from the top, channels interleaved; 8-bit values are divided by 255
+    std::vector<std::string> channels;            // for example "R", "G", "B", "direct.R"
+    std::vector<float> pixels;                    // rows from the top, channels interleaved; 8-bit values are divided by 255
+    bool display = false;                         // PNG: display values (sRGB curve), not linear ones
+    std::map<std::string, std::string> metadata;  // of an OpenEXR header, numbers as text
 };
 
 constexpr std::uint64_t largest_image = std::uint64_t{4} << 30;  // [bytes as float]

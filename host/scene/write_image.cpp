@@ -98,27 +98,6 @@ unsigned char to_display(float linear) {
     return static_cast<unsigned char>(std::lround(255.0F * shown));
 }
 
-std::vector<unsigned char> encode_png(const LayeredImage& image) {
-    const ImageLayer& beauty = image.layers.front();
-    const std::size_t values = std::size_t(image.width) * image.height * beauty.channels;
-    std::vector<unsigned char> pixels(values);
-    std::transform(beauty.pixels, beauty.pixels + values, pixels.begin(), to_display);
-
-    OIIO::ImageSpec spec(image.width, image.height, beauty.channels, OIIO::TypeDesc::UINT8);
-    spec.attribute("oiio:ColorSpace", "sRGB");
-    std::vector<unsigned char> bytes;
-    OIIO::Filesystem::IOVecOutput memory(bytes);
-    const std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create("png");
-    if (!out) {
-        encoding_failed("PNG", OIIO::geterror());
-    }
-    out->set_ioproxy(&memory);
-    if (!out->open("memory.png", spec) || !out->write_image(OIIO::TypeDesc::UINT8, pixels.data()) || !out->close()) {
-        encoding_failed("PNG", out->geterror());
-    }
-    return bytes;
-}
-
 std::string describe(const NonFinite& found, const std::filesystem::path& path, bool zeroed) {
     return path.filename().string() + ": " + std::to_string(found.values) + " values are NaN or infinite" +
            (zeroed ? " and written as 0" : "") + ", the first in channel " + found.channel + " at pixel (" + std::to_string(found.x) +
@@ -168,6 +147,27 @@ ImageFormat image_format(const std::filesystem::path& path) {
     return extension == ".png" ? ImageFormat::png : ImageFormat::exr;
 }
 
+std::vector<unsigned char> encode_png(const LayeredImage& image) {
+    const ImageLayer& beauty = image.layers.front();
+    const std::size_t values = std::size_t(image.width) * image.height * beauty.channels;
+    std::vector<unsigned char> pixels(values);
+    std::transform(beauty.pixels, beauty.pixels + values, pixels.begin(), to_display);
+
+    OIIO::ImageSpec spec(image.width, image.height, beauty.channels, OIIO::TypeDesc::UINT8);
+    spec.attribute("oiio:ColorSpace", "sRGB");
+    std::vector<unsigned char> bytes;
+    OIIO::Filesystem::IOVecOutput memory(bytes);
+    const std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create("png");
+    if (!out) {
+        encoding_failed("PNG", OIIO::geterror());
+    }
+    out->set_ioproxy(&memory);
+    if (!out->open("memory.png", spec) || !out->write_image(OIIO::TypeDesc::UINT8, pixels.data()) || !out->close()) {
+        encoding_failed("PNG", out->geterror());
+    }
+    return bytes;
+}
+
 std::vector<std::string> write_image(const std::filesystem::path& path, const LayeredImage& image, const Metadata& metadata) {
     const bool png = image_format(path) == ImageFormat::png;
     const std::vector<unsigned char> bytes = png ? encode_png(image) : encode_exr(image, metadata);
@@ -179,6 +179,11 @@ std::vector<std::string> write_image(const std::filesystem::path& path, const La
 float linear_to_srgb(float linear) {
     // IEC 61966-2-1
     return linear <= 0.0031308F ? 12.92F * linear : 1.055F * std::pow(linear, 1 / 2.4F) - 0.055F;
+}
+
+float srgb_to_linear(float shown) {
+    // IEC 61966-2-1
+    return shown <= 0.04045F ? shown / 12.92F : std::pow((shown + 0.055F) / 1.055F, 2.4F);
 }
 
 }  // namespace pencil

@@ -46,7 +46,12 @@ ImageFormat image_format(const std::filesystem::path& path);
 /// values that are no number become 0). Returns warnings. UsageError for another extension, OutputError if writing fails.
 std::vector<std::string> write_image(const std::filesystem::path& path, const LayeredImage& image, const Metadata& metadata = {});
 
-/// The sRGB transfer curve: linear [0, 1] to display value [0, 1].
+/// The bytes of such a PNG.
+std::vector<unsigned char> encode_png(const LayeredImage& image);
+
+/// The sRGB transfer curve: linear [0, 1] to display value [0, 1]. The inverse of `srgb_to_linear`.
 float linear_to_srgb(float linear);
+/// Display value [0, 1] to linear [0, 1]. The inverse of `linear_to_srgb`.
+float srgb_to_linear(float shown);
 
 }  // namespace pencil

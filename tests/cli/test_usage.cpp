@@ -63,7 +63,7 @@ TEST(Usage, AnOptionGivenTwiceIsRefused) {
 TEST(Usage, HelpNamesEveryCommandAndOption) {
     const RunResult general = run_pencil({"--help"});
     EXPECT_EQ(general.code, 0);
-    for (const char* word : {"render", "info", "devices", "--version", "Exit status"}) {
+    for (const char* word : {"render", "reference", "compare", "converge", "info", "devices", "--version", "Exit status"}) {
         EXPECT_NE(general.out.find(word), std::string::npos) << word;
     }
     const RunResult render = run_pencil({"render", "--help"});

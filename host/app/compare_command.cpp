@@ -1,0 +1,167 @@
+// `pencil compare`: the error of an image against a reference, as a table or as JSON, and where it lies.
+// The keys of the JSON are a contract: `schema` counts incompatible changes. Undefined numbers are null, and so is an infinite PSNR.
+#include <algorithm>
+#include <iomanip>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "app/commands.h"
+#include "app/message.h"
+#include "app/option_values.h"
+#include "app/units.h"
+#include "compare/compare_images.h"
+#include "compare/difference_image.h"
+#include "compare/image_layers.h"
+#include "util/output_file.h"
+
+namespace pencil {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int schema = 1;
+
+std::string non_finite_text(const std::string& layer, const std::string& file, const NonFinite& found) {
+    return "layer " + layer + " of " + file + ": " + std::to_string(found.values) + " values are NaN or infinite, the first in channel " +
+           found.channel + " at pixel (" + std::to_string(found.x) + ", " + std::to_string(found.y) + ")";
+}
+
+std::vector<std::string> all_warnings(const Comparison& comparison, const CompareCommand& command) {
+    std::vector<std::string> warnings = comparison.warnings;
+    for (const LayerComparison& layer : comparison.layers) {
+        for (const auto& [file, found] : {std::pair(&command.image, &layer.image), std::pair(&command.reference, &layer.reference)}) {
+            if (found->values > 0) {
+                warnings.push_back(non_finite_text(layer.name, file->string(), *found));
+            }
+        }
+        if (layer.metrics.excluded > 0) {
+            warnings.push_back("layer " + layer.name + ": " + std::to_string(layer.metrics.excluded) +
+                               " pixels are left out of all averages");
+        }
+    }
+    return warnings;
+}
+
+void print_table(const Comparison& comparison, const CompareCommand& command) {
+    const auto cell = [](const std::string& text) { std::cout << std::right << std::setw(12) << text; };
+    std::cout << "image      " << printable(command.image.string()) << "\nreference  " << printable(command.reference.string())
+              << "\nsize       " << comparison.width << "x" << comparison.height << ", exposure of displayed colours "
+              << format_short(comparison.exposure) << "\n\n"
+              << std::left << std::setw(12) << "layer";
+    for (const char* title : {"RMSE", "relMSE", "mean ratio", "PSNR dB", "L*a*b* RMS"}) {
+        cell(title);
+    }
+    std::cout << "\n";
+    for (const LayerComparison& layer : comparison.layers) {
+        const Metrics& m = layer.metrics;
+        std::cout << std::left << std::setw(11) << printable(layer.name) << " ";
+        for (const std::string& text : {format_short(m.rmse), format_short(m.rel_mse), format_fixed(m.mean_ratio, 4),
+                                        format_fixed(m.psnr, 2), m.lab_rms ? format_short(*m.lab_rms) : std::string("-")}) {
+            cell(text);
+        }
+        std::cout << "\n";
+    }
+    for (const auto& [file, names] :
+         {std::pair(&command.image, &comparison.only_in_image), std::pair(&command.reference, &comparison.only_in_reference)}) {
+        if (!names->empty()) {
+            std::cout << "only in " << printable(file->string()) << ": " << printable(join(*names)) << "\n";
+        }
+    }
+}
+
+Json non_finite_json(const NonFinite& found) {
+    Json json{{"values", found.values}};
+    if (found.values > 0) {
+        json["first"] = {{"channel", found.channel}, {"x", found.x}, {"y", found.y}};
+    }
+    return json;
+}
+
+Json layer_json(const LayerComparison& layer) {
+    const Metrics& m = layer.metrics;
+    return {{"name", layer.name},
+            {"channels", layer.channels},
+            {"rmse", m.rmse},
+            {"rel_mse", m.rel_mse},
+            {"mean_ratio", m.mean_ratio},
+            {"psnr_db", m.psnr},
+            {"lab_rms", m.lab_rms ? Json(*m.lab_rms) : Json()},
+            {"image_mean", m.image_mean},
+            {"reference_mean", m.reference_mean},
+            {"pixels", m.pixels},
+            {"excluded_pixels", m.excluded},
+            {"image_non_finite", non_finite_json(layer.image)},
+            {"reference_non_finite", non_finite_json(layer.reference)}};
+}
+
+Json comparison_json(const Comparison& comparison, const CompareCommand& command, const std::vector<std::string>& warnings) {
+    Json json{{"schema", schema},
+              {"version", PENCIL_VERSION},
+              {"image", command.image.string()},
+              {"reference", command.reference.string()},
+              {"size", {comparison.width, comparison.height}},
+              {"exposure", comparison.exposure},
+              {"layers", Json::array()},
+              {"only_in_image", comparison.only_in_image},
+              {"only_in_reference", comparison.only_in_reference},
+              {"warnings", warnings}};
+    for (const LayerComparison& layer : comparison.layers) {
+        json["layers"].push_back(layer_json(layer));
+    }
+    return json;
+}
+
+/// Writes the difference of the beauties and returns the scale of its colours.
+double write_difference(const Image& image, const Image& reference, const CompareCommand& command) {
+    const std::vector<std::string> rgb{"R", "G", "B"};
+    const NamedLayer x = split_layers(image).front(), r = split_layers(reference).front();
+    if (x.name != "beauty" || r.name != "beauty" || x.channels != rgb || r.channels != rgb) {
+        throw SceneError(command.image.string(), "--diff needs the channels R, G and B in both images");
+    }
+    const std::vector<float> differences = relative_difference(x.pixels.data(), r.pixels.data(), x.pixels.size() / 3);
+    const double scale = difference_scale(differences);
+    const std::vector<float> colours = false_colour(differences, scale);
+    write_image(command.difference, {image.width, image.height, {{"", 3, colours.data()}}}, {{"pencil:differenceScale", scale}});
+    return scale;
+}
+
+void check_difference_file(const CompareCommand& command) {
+    image_format(command.difference);
+    for (const std::filesystem::path* input : {&command.image, &command.reference}) {
+        std::error_code error;
+        if (std::filesystem::equivalent(command.difference, *input, error)) {
+            throw OutputError("cannot write " + command.difference.string() + ": it is one of the images");
+        }
+    }
+    check_writable(command.difference);
+}
+
+}  // namespace
+
+ExitCode run_compare(const CompareCommand& command) {
+    if (!command.difference.empty()) {
+        check_difference_file(command);
+    }
+    const Image image = read_image(command.image), reference = read_image(command.reference);
+    const Comparison comparison = compare_images(image, reference, command.image.string(), command.reference.string());
+    const std::vector<std::string> warnings = all_warnings(comparison, command);
+    std::for_each(warnings.begin(), warnings.end(), print_warning);
+    const double scale = command.difference.empty() ? 0 : write_difference(image, reference, command);
+    if (command.json) {
+        Json json = comparison_json(comparison, command, warnings);
+        if (scale > 0) {
+            json["difference"] = {{"file", command.difference.string()}, {"scale", scale}};
+        }
+        std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
+        return ExitCode::ok;
+    }
+    print_table(comparison, command);
+    if (scale > 0) {
+        std::cout << "wrote      " << printable(command.difference.string()) << ": red where the image is too bright, blue where too dark, "
+                  << "full colour at " << format_short(100 * scale) << " % of the reference\n";
+    }
+    return ExitCode::ok;
+}
+
+}  // namespace pencil

@@ -1,0 +1,104 @@
+// `pencil converge`: error against run time of every method and the path tracer, as CSV, JSON and a page.
+#include <algorithm>
+#include <iostream>
+
+#include "app/commands.h"
+#include "app/interrupt.h"
+#include "app/message.h"
+#include "app/option_values.h"
+#include "converge/converge.h"
+#include "scene/load_scene.h"
+#include "scene/read_image.h"
+#include "util/error.h"
+#include "util/log.h"
+#include "util/progress.h"
+
+namespace pencil {
+namespace {
+
+constexpr int standard_side = 256;  // [pixels] of the longer side
+
+/// --resolution, else the reference's, else the scene's shape.
+std::pair<int, int> image_size(const ConvergeCommand& command, const Scene& scene) {
+    if (command.width > 0) {
+        return {command.width, command.height};
+    }
+    if (!command.reference.empty()) {
+        const Image reference = read_image(command.reference);
+        return {reference.width, reference.height};
+    }
+    const int width = scene.sensor.width, height = scene.sensor.height, longer = std::max(width, height);
+    return {std::max(1, width * standard_side / longer), std::max(1, height * standard_side / longer)};
+}
+
+/// What repeats this measurement.
+std::string command_text(const ConvergeCommand& command, const ConvergeOptions& options) {
+    std::string text = "pencil converge " + command.scene.string() + " -o " + command.folder.string() + " --resolution " +
+                       std::to_string(options.width) + "x" + std::to_string(options.height) + " --seeds " + std::to_string(options.seeds) +
+                       " --longest " + format_real(options.longest);
+    if (command.methods != all_method_names()) {
+        std::string names;
+        for (const std::string& name : command.methods) {
+            names += (names.empty() ? "" : ",") + name;
+        }
+        text += " --methods " + (names.empty() ? "none" : names);
+    }
+    for (const auto& [name, value] : command.defines) {
+        text += " -D " + name + "=" + value;
+    }
+    return text + (command.reference.empty() ? "" : " --reference " + command.reference.string()) +
+           (command.device.empty() ? "" : " --device " + command.device);
+}
+
+ConvergeOptions converge_options(const ConvergeCommand& command, const Scene& scene) {
+    ConvergeOptions options;
+    options.scene = command.scene;
+    options.reference = command.reference;
+    options.folder = command.folder;
+    options.methods = command.methods;
+    options.seeds = command.seeds;
+    options.longest = command.longest;
+    std::tie(options.width, options.height) = image_size(command, scene);
+    options.bounces = reflections({}, scene);
+    options.version = PENCIL_VERSION;
+    options.command = command_text(command, options);
+    return options;
+}
+
+void print_report(const Report& report) {
+    std::cout << verdict_text(report);
+    for (const char* file : {"points.csv", "summary.json", "index.html"}) {
+        std::cout << "wrote    " << printable((report.options.folder / file).string()) << "\n";
+    }
+}
+
+}  // namespace
+
+ExitCode run_converge(const ConvergeCommand& command) {
+    set_quiet(command.quiet);
+    const Scene scene = load_scene(command.scene, {command.defines});
+    std::for_each(scene.warnings.begin(), scene.warnings.end(), print_warning);
+    const ConvergeOptions options = converge_options(command, scene);
+    const std::shared_ptr<Device> device = Device::open(command.device);
+    prepare_folder(scene, options, device->info());
+
+    Report report;
+    {
+        ProgressDisplay display(command.quiet ? ProgressDisplay::Style::none : ProgressDisplay::style_for(stderr));
+        report = converge(scene, options, device, [&display](const std::string& stage, double fraction) {
+            display.update(stage, fraction);
+            return interrupted_by() == 0;
+        });
+    }
+    std::for_each(report.warnings.begin(), report.warnings.end(), print_warning);
+    if (!command.quiet && !report.points.empty()) {
+        print_report(report);
+    }
+    if (!report.finished) {
+        print_error("interrupted after " + std::to_string(report.points.size()) + " runs; the same command goes on from there");
+        return ExitCode::interrupted;
+    }
+    return ExitCode::ok;
+}
+
+}  // namespace pencil

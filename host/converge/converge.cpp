@@ -1,0 +1,215 @@
+#include "converge/converge.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <system_error>
+#include <thread>
+
+#include "converge/identity.h"
+#include "converge/methods.h"
+#include "converge/plots.h"
+#include "converge/runs.h"
+#include "converge/text.h"
+#include "scene/scene_fingerprint.h"
+#include "util/error.h"
+#include "util/output_file.h"
+
+namespace pencil {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path points_file(const ConvergeOptions& options) { return options.folder / "points.csv"; }
+
+Identity identity_of(const Scene& scene, const ConvergeOptions& options, const DeviceInfo& device) {
+    return {{"scene", scene_fingerprint(scene)},
+            {"size", std::to_string(options.width) + "x" + std::to_string(options.height)},
+            {"number of reflections", options.bounces < 0 ? "auto" : std::to_string(options.bounces)},
+            {"device", device.name + ", " + device.driver},
+            {"version", options.version}};
+}
+
+/// Processes that want to run, averaged over the last minute, ours included.
+double machine_load() {
+    double load = 0;
+    return ::getloadavg(&load, 1) == 1 ? load : 0;
+}
+
+/// Fraction of the whole experiment, by expected times.
+class Progression {
+public:
+    Progression(const Progress& progress, const RunPlan& plan, double truth) : progress_(progress), plan_(plan), truth_(truth) {}
+
+    void truth_done() { spent_ += truth_, truth_ = 0; }
+    void run_done(double seconds) { spent_ += seconds; }
+
+    /// `fraction` of a step that takes `step_seconds`.
+    bool update(const std::string& stage, double fraction, double step_seconds, const std::vector<RunPoint>& points) const {
+        const double left = truth_ + plan_.expected_seconds(points), total = spent_ + left;
+        return !progress_ || progress_(stage, total > 0 ? (spent_ + std::min(fraction * step_seconds, left)) / total : 0);
+    }
+    double truth() const { return truth_; }
+
+private:
+    const Progress& progress_;
+    const RunPlan& plan_;
+    double truth_, spent_ = 0;
+};
+
+std::vector<std::string> with_path_tracer(const ConvergeOptions& options) {
+    std::vector<std::string> names{path_tracer_name};
+    names.insert(names.end(), options.methods.begin(), options.methods.end());
+    return names;
+}
+
+class Experiment {
+public:
+    Experiment(const Scene& scene, const ConvergeOptions& options, const std::shared_ptr<Device>& device, const Progress& progress)
+        : scene_(scene),
+          options_(options),
+          device_(device),
+          points_(read_points(points_file(options))),
+          plan_(with_path_tracer(options), options.seeds, options.longest),
+          progression_(progress, plan_, options.reference.empty() ? truth_seconds(options) : 0) {}
+
+    Report run() {
+        Report report;
+        report.options = options_;
+        report.device = device_->info();
+        report.host_threads = std::thread::hardware_concurrency();
+        if (find_truth()) {
+            Identity identity = identity_of(scene_, options_, device_->info());
+            identity["reference"] = truth_.fingerprint;
+            check_identity(options_.folder, identity, points_);
+            write_identity(options_.folder, identity);
+            report.finished = run_missing();
+            warn_of_load(report.host_threads);
+            report.truth = std::move(truth_);
+            report.points = std::move(points_);
+            report.methods = summarise(report.points, options_, report.truth);
+            report.warnings = report.truth.warnings;
+            report.warnings.insert(report.warnings.end(), warnings_.begin(), warnings_.end());
+            const std::vector<std::string> more = curve_warnings(report);
+            report.warnings.insert(report.warnings.end(), more.begin(), more.end());
+        }
+        return report;
+    }
+
+private:
+    /// False if interrupted.
+    bool find_truth() {
+        if (!options_.reference.empty()) {
+            truth_ = read_truth(options_.reference, scene_, options_);
+            return true;
+        }
+        const Progress progress = [this](const std::string& stage, double fraction) {
+            return progression_.update(stage, fraction, progression_.truth(), points_);
+        };
+        std::optional<Truth> truth = own_truth(scene_, options_, progress);
+        if (truth) {
+            truth_ = std::move(*truth);
+            progression_.truth_done();
+        }
+        return truth.has_value();
+    }
+
+    /// False if interrupted.
+    bool run_missing() {
+        bool warm = false;
+        while (const std::optional<Task> task = plan_.next(points_)) {
+            const double before = plan_.expected_seconds(points_);
+            const std::string stage = task->method + " " + run_flags(task->method, task->budget) + ", seed " + std::to_string(task->seed);
+            const Progress progress = [&](const std::string&, double fraction) {
+                return progression_.update(stage, fraction, expected(*task), points_);
+            };
+            if (!warm) {
+                warm_up(scene_, options_, device_,
+                        [&](const std::string&, double) { return progression_.update("warm-up", 0, 0, points_); });
+                warm = true;
+            }
+            if (!progression_.update(stage, 0, 0, points_) || !finish(*task, progress)) {
+                return false;
+            }
+            progression_.run_done(std::max(0.0, before - plan_.expected_seconds(points_)));
+        }
+        return true;
+    }
+
+    /// Runs the task and stores its point, or ends its ladder. False if interrupted.
+    bool finish(const Task& task, const Progress& progress) {
+        try {
+            const std::optional<RunPoint> point = run_task(task, scene_, options_, truth_, device_, progress);
+            if (!point) {
+                return false;
+            }
+            append_point(points_file(options_), *point);
+            load_ = std::max(load_, machine_load());
+            points_.push_back(*point);
+        } catch (const MemoryError& error) {
+            plan_.end_ladder(task.method, task.budget);
+            warnings_.push_back(task.method + " stops before " + run_flags(task.method, task.budget) + ": " + error.what());
+        }
+        return true;
+    }
+
+    /// Times mean little while other programs use the cores.
+    void warn_of_load(unsigned threads) {
+        const double busy = 2;  // we ourselves keep about one process per core running
+        if (load_ > busy * threads) {
+            warnings_.push_back("other programs used this machine (load " + round_text(load_) + " on " + std::to_string(threads) +
+                                " cores): times are too long and curves not comparable; measure again on an idle machine");
+        }
+    }
+
+    /// Time of the same run with seed 0, or of the step before.
+    double expected(const Task& task) const {
+        for (int budget = task.budget; budget >= 0; --budget) {
+            if (const RunPoint* point = find_point(points_, task.method, budget, 0)) {
+                return point->seconds;
+            }
+        }
+        return 0;
+    }
+
+    const Scene& scene_;
+    const ConvergeOptions& options_;
+    std::shared_ptr<Device> device_;
+    std::vector<RunPoint> points_;
+    RunPlan plan_;
+    Progression progression_;
+    Truth truth_;
+    double load_ = 0;  // the highest seen
+    std::vector<std::string> warnings_;
+};
+
+void write_text(const fs::path& file, const std::string& text) { write_file(file, text.data(), text.size()); }
+
+}  // namespace
+
+void prepare_folder(const Scene& scene, const ConvergeOptions& options, const DeviceInfo& device) {
+    std::error_code error;
+    fs::create_directories(options.folder / "images", error);
+    if (error) {
+        throw OutputError("cannot write to " + options.folder.string() + ": " + error.message());
+    }
+    for (const fs::path& file : {points_file(options), options.folder / "index.html", options.folder / "images/a.exr"}) {
+        check_writable(file);
+    }
+    check_identity(options.folder, identity_of(scene, options, device), read_points(points_file(options)));
+}
+
+Report converge(const Scene& scene, const ConvergeOptions& options, const std::shared_ptr<Device>& device, const Progress& progress) {
+    Report report = Experiment(scene, options, device, progress).run();
+    if (report.points.empty()) {
+        return report;  // interrupted before the first run was finished
+    }
+    write_text(options.folder / "summary.json", summary_json(report));
+    const std::string missing = make_plots(options.folder);
+    write_text(options.folder / "index.html", page_html(report, missing));
+    if (!missing.empty()) {
+        report.warnings.push_back(missing);
+    }
+    return report;
+}
+
+}  // namespace pencil

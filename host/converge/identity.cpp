@@ -1,0 +1,60 @@
+#include "converge/identity.h"
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "converge/methods.h"
+#include "converge/runs.h"
+#include "util/error.h"
+#include "util/output_file.h"
+
+namespace pencil {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* const file_name = "run.json";
+const char* const advice = "; use another folder, or delete this one to measure again";
+
+Json read_identity(const std::filesystem::path& file) {
+    std::ifstream stream(file);
+    return stream ? Json::parse(stream, nullptr, false) : Json();
+}
+
+bool is_known(const std::string& method) {
+    const std::vector<MeasuredMethod>& methods = all_methods();
+    return method == path_tracer_name ||
+           std::any_of(methods.begin(), methods.end(), [&](const MeasuredMethod& known) { return known.name == method; });
+}
+
+}  // namespace
+
+void check_identity(const std::filesystem::path& folder, const Identity& identity, const std::vector<RunPoint>& points) {
+    const Json old = read_identity(folder / file_name);
+    if (!old.is_object()) {
+        if (!points.empty()) {
+            throw UsageError(folder.string() + " holds runs, but no readable run.json that says of what" + advice);
+        }
+        return;
+    }
+    for (const auto& [key, value] : identity) {
+        if (!points.empty() && old.contains(key) && old[key] != Json(value)) {
+            throw UsageError(folder.string() + " holds runs with another " + key + ": " + old[key].dump() + " there, \"" + value +
+                             "\" now" + advice);
+        }
+    }
+    for (const RunPoint& point : points) {
+        if (is_known(point.method) && run_flags(point.method, point.budget) != point.options) {
+            throw UsageError(folder.string() + " holds runs of " + point.method + " with other options: \"" + point.options +
+                             "\" there, \"" + run_flags(point.method, point.budget) + "\" now" + advice);
+        }
+    }
+}
+
+void write_identity(const std::filesystem::path& folder, const Identity& identity) {
+    const std::string text = Json(identity).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    write_file(folder / file_name, text.data(), text.size());
+}
+
+}  // namespace pencil

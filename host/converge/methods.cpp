@@ -1,0 +1,62 @@
+#include "converge/methods.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+namespace pencil {
+namespace {
+
+constexpr double growth = 1.5;  // of the number of pencils from step to step
+constexpr int first_pencils = 8;
+
+/// A ladder of pencils. Light samples grow with them: with a fixed number, the error of direct light would be a floor of its own.
+Budget pencil_budget(int step, RenderOptions base, const std::string& flags) {
+    const double most = 1 << 20;
+    base.pencils = base.light_samples = static_cast<int>(std::lround(std::min(first_pencils * std::pow(growth, step), most)));
+    const std::string number = std::to_string(base.pencils);
+    return {base, "--pencils " + number + " --light-samples " + number + flags};
+}
+
+MeasuredMethod pencil_method(const std::string& name, const std::string& summary, const RenderOptions& base, const std::string& flags) {
+    return {name, summary, [base, flags](int step) { return pencil_budget(step, base, flags); }};
+}
+
+std::vector<MeasuredMethod> make_methods() {
+    const RenderOptions standard;
+    RenderOptions fixed, thesis;
+    fixed.iterate = Iterate::fixed;
+    thesis.weights = Weights::thesis;
+    return {pencil_method("sets", "a new, smaller set of pencils for each bounce, consistent weights (the default of pencil render)",
+                          standard, ""),
+            pencil_method("fixed", "one set of pencils for all bounces, consistent weights", fixed, " --iterate fixed"),
+            pencil_method("thesis", "a new, smaller set for each bounce, weights with the normaliser printed in the thesis", thesis,
+                          " --weights thesis")};
+}
+
+}  // namespace
+
+const char* const path_tracer_name = "path-tracer";
+const char* const path_tracer_summary = "the reference path tracer (pencil reference), the baseline";
+
+const std::vector<MeasuredMethod>& all_methods() {
+    static const std::vector<MeasuredMethod> methods = make_methods();
+    return methods;
+}
+
+const MeasuredMethod& find_method(const std::string& name) {
+    const std::vector<MeasuredMethod>& methods = all_methods();
+    const auto found = std::find_if(methods.begin(), methods.end(), [&](const MeasuredMethod& method) { return method.name == name; });
+    if (found == methods.end()) {
+        throw std::invalid_argument("unknown method " + name);
+    }
+    return *found;
+}
+
+double path_tracer_seconds(int step) {
+    const std::array<double, 2> mantissas{0.03, 0.1};
+    return mantissas[static_cast<std::size_t>(step % 2)] * std::pow(10.0, step / 2);
+}
+
+}  // namespace pencil

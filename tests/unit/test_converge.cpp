@@ -1,0 +1,368 @@
+// The experiment's book-keeping without a device: what runs next, what is kept in files, who is ahead, what the page says.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "compare/metrics.h"
+#include "converge/identity.h"
+#include "converge/methods.h"
+#include "converge/page_tables.h"
+#include "converge/pictures.h"
+#include "converge/report.h"
+#include "converge/run_plan.h"
+#include "converge/runs.h"
+#include "converge/text.h"
+#include "util/error.h"
+
+namespace pencil {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ConvergeFolder : public testing::Test {
+protected:
+    ConvergeFolder() {
+        std::string name = (fs::temp_directory_path() / "pencil-converge-XXXXXX").string();
+        folder = ::mkdtemp(name.data());
+    }
+    ~ConvergeFolder() override {
+        std::error_code ignored;
+        fs::remove_all(folder, ignored);
+    }
+    std::string read(const std::string& name) const {
+        std::ifstream stream(folder / name, std::ios::binary);
+        return {std::istreambuf_iterator<char>(stream), {}};
+    }
+    void write(const std::string& name, const std::string& text) const { std::ofstream(folder / name, std::ios::binary) << text; }
+
+    fs::path folder;
+};
+
+RunPoint point(const std::string& method, int budget, std::uint64_t seed, double seconds, double rel_mse = 0.01) {
+    RunPoint run;
+    run.method = method;
+    run.budget = budget;
+    run.seed = seed;
+    run.seconds = seconds;
+    run.rel_mse = rel_mse;
+    run.rmse = run.lab_rms = std::sqrt(rel_mse);
+    run.mean_ratio = 0.97;
+    run.options = run_flags(method, budget);
+    run.stages = {{"pencil density", seconds / 4}, {"direct light", seconds / 2}};
+    return run;
+}
+
+/// Runs the plan with render times of `first` * growth^budget; the order of tasks.
+std::vector<RunPoint> simulate(const RunPlan& plan, double first, double growth, std::vector<RunPoint> done = {}) {
+    while (const std::optional<Task> task = plan.next(done)) {
+        const double seconds =
+            task->method == path_tracer_name ? path_tracer_seconds(task->budget) : first * std::pow(growth, task->budget);
+        done.push_back(point(task->method, task->budget, task->seed, seconds));
+    }
+    return done;
+}
+
+TEST(RunPlan, ClimbsUntilARunTakesThatLong) {
+    const RunPlan plan({path_tracer_name, "sets"}, 2, 10);
+    const std::vector<RunPoint> done = simulate(plan, 0.2, 1.7);
+    EXPECT_NE(find_point(done, path_tracer_name, 5, 1), nullptr) << "10 s";
+    EXPECT_EQ(find_point(done, path_tracer_name, 6, 0), nullptr) << "30 s";
+    EXPECT_NE(find_point(done, "sets", 8, 1), nullptr) << "0.2 * 1.7^8 = 14 s covers 10 s";
+    EXPECT_EQ(find_point(done, "sets", 9, 0), nullptr) << "10 s are reached";
+    EXPECT_EQ(done.size(), 2U * (6 + 9));
+    EXPECT_EQ(plan.expected_seconds(done), 0);
+}
+
+TEST(RunPlan, StopsBeforeARunOfThreeTimesAsLong) {
+    const std::vector<RunPoint> done = simulate(RunPlan({"sets"}, 1, 10), 0.15, 3.9);
+    EXPECT_NE(find_point(done, "sets", 3, 0), nullptr) << "8.9 s";
+    EXPECT_EQ(find_point(done, "sets", 4, 0), nullptr) << "35 s";
+}
+
+TEST(RunPlan, WholeCurvesOfOneSeedFirst) {
+    const std::vector<RunPoint> done = simulate(RunPlan({path_tracer_name, "sets"}, 2, 10), 0.2, 1.7);
+    for (std::size_t i = 0; i < done.size(); ++i) {
+        EXPECT_EQ(done[i].seed, i < done.size() / 2 ? 0U : 1U);
+    }
+    EXPECT_EQ(done[0].method, path_tracer_name);
+    EXPECT_EQ(done[1].method, "sets") << "methods alternate, so that a drift of the machine's speed meets all";
+}
+
+TEST(RunPlan, GoesOnWhereItStopped) {
+    const RunPlan plan({path_tracer_name, "sets", "fixed"}, 3, 5);
+    const std::vector<RunPoint> whole = simulate(plan, 0.3, 2);
+    for (std::size_t kept = 0; kept <= whole.size(); ++kept) {
+        const std::vector<RunPoint> resumed = simulate(plan, 0.3, 2, {whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(kept)});
+        ASSERT_EQ(resumed.size(), whole.size()) << kept;
+        for (std::size_t i = 0; i < whole.size(); ++i) {
+            ASSERT_EQ(resumed[i].method + std::to_string(resumed[i].budget), whole[i].method + std::to_string(whole[i].budget)) << kept;
+        }
+    }
+}
+
+TEST(RunPlan, ALadderThatEndsStaysEnded) {
+    RunPlan plan({path_tracer_name, "sets"}, 2, 10);
+    plan.end_ladder("sets", 3);
+    const std::vector<RunPoint> done = simulate(plan, 0.2, 1.7);
+    EXPECT_NE(find_point(done, "sets", 2, 1), nullptr);
+    EXPECT_EQ(find_point(done, "sets", 3, 0), nullptr);
+}
+
+TEST(RunPlan, ExpectsLessAndLess) {
+    const RunPlan plan({path_tracer_name, "sets"}, 3, 10);
+    std::vector<RunPoint> whole = simulate(plan, 0.2, 1.7), done;
+    for (const RunPoint& run : whole) {
+        done.push_back(run);
+        if (done.size() > whole.size() / 3) {  // seed 0 is done: no guess any more
+            const double left = plan.expected_seconds(done);
+            double truth = 0;
+            for (std::size_t i = done.size(); i < whole.size(); ++i) {
+                truth += whole[i].seconds;
+            }
+            ASSERT_NEAR(left, truth, 1e-9);
+        }
+    }
+}
+
+TEST(Methods, EveryStepIsLargerAndSaysItsOptions) {
+    for (const MeasuredMethod& method : all_methods()) {
+        for (int step = 1; step < 12; ++step) {
+            EXPECT_GT(method.budget(step).options.pencils, method.budget(step - 1).options.pencils) << method.name;
+            EXPECT_NE(method.budget(step).flags.find("--pencils " + std::to_string(method.budget(step).options.pencils)),
+                      std::string::npos);
+        }
+        EXPECT_EQ(&find_method(method.name), &method);
+    }
+    EXPECT_NEAR(path_tracer_seconds(0), 0.03, 1e-12);
+    EXPECT_NEAR(path_tracer_seconds(5), 10, 1e-12);
+    EXPECT_EQ(run_flags(path_tracer_name, 0), "--time 0.03");
+}
+
+TEST_F(ConvergeFolder, PointsComeBack) {
+    const fs::path file = folder / "points.csv";
+    EXPECT_TRUE(read_points(file).empty());
+    RunPoint first = point("sets", 3, 18446744073709551615U, 0.1234567890123456789, 1e-7), second = point("thesis", 0, 1, 2.5);
+    first.options = R"(--pencils 27, "quoted")";
+    first.excluded_pixels = 5;
+    second.psnr = INFINITY;
+    append_point(file, first);
+    append_point(file, second);
+    const std::vector<RunPoint> points = read_points(file);
+    ASSERT_EQ(points.size(), 2U);
+    EXPECT_EQ(points[0].seed, first.seed);
+    EXPECT_EQ(points[0].seconds, first.seconds);
+    EXPECT_EQ(points[0].rel_mse, first.rel_mse);
+    EXPECT_EQ(points[0].options, first.options);
+    EXPECT_EQ(points[0].excluded_pixels, 5U);
+    EXPECT_EQ(points[0].stages, first.stages);
+    EXPECT_EQ(points[1].psnr, INFINITY);
+    EXPECT_EQ(points[1].method, "thesis");
+}
+
+TEST_F(ConvergeFolder, ALineCutByACrashIsDroppedAndWrittenAgain) {
+    const fs::path file = folder / "points.csv";
+    append_point(file, point("sets", 0, 0, 1));
+    const std::string whole = read("points.csv");
+    append_point(file, point("sets", 1, 0, 2));
+    const std::string both = read("points.csv");
+    for (std::size_t length = whole.size(); length < both.size(); ++length) {
+        write("points.csv", both.substr(0, length));
+        ASSERT_EQ(read_points(file).size(), 1U) << length;
+        append_point(file, point("sets", 1, 0, 2));
+        ASSERT_EQ(read("points.csv"), both) << length;
+    }
+    write("points.csv", whole.substr(0, 10));
+    EXPECT_TRUE(read_points(file).empty());
+}
+
+TEST_F(ConvergeFolder, DamagedPointsAreRefusedWithTheirLine) {
+    const fs::path file = folder / "points.csv";
+    append_point(file, point("sets", 0, 0, 1));
+    write("points.csv", read("points.csv") + "sets,one,0\n");
+    try {
+        read_points(file);
+        FAIL() << "accepted";
+    } catch (const OutputError& error) {
+        EXPECT_NE(std::string(error.what()).find("points.csv:3"), std::string::npos) << error.what();
+    }
+}
+
+TEST_F(ConvergeFolder, RunsOfAnotherSceneOrReferenceAreNotMixed) {
+    const std::vector<RunPoint> points{point("sets", 0, 0, 1)};
+    EXPECT_NO_THROW(check_identity(folder, {{"scene", "a"}}, {})) << "an empty folder";
+    EXPECT_THROW(check_identity(folder, {{"scene", "a"}}, points), UsageError) << "points of nobody knows what";
+    write_identity(folder, {{"scene", "a"}, {"reference", "r"}});
+    EXPECT_NO_THROW(check_identity(folder, {{"scene", "a"}}, points));
+    EXPECT_THROW(check_identity(folder, {{"scene", "b"}}, points), UsageError);
+    EXPECT_THROW(check_identity(folder, {{"scene", "a"}, {"reference", "s"}}, points), UsageError);
+    EXPECT_NO_THROW(check_identity(folder, {{"scene", "b"}}, {})) << "nothing to mix with";
+}
+
+TEST_F(ConvergeFolder, RunsWithOtherOptionsAreNotMixed) {
+    write_identity(folder, {{"scene", "a"}});
+    RunPoint run = point("sets", 0, 0, 1);
+    run.options = "--pencils 7";
+    EXPECT_THROW(check_identity(folder, {{"scene", "a"}}, {run}), UsageError);
+    run.method = "of a later version";
+    EXPECT_NO_THROW(check_identity(folder, {{"scene", "a"}}, {run}));
+}
+
+/// Two curves that cross at 1 s: the baseline falls as t^-0.5 from 0.1 at 1 s, the other stays at 0.1 until 4 s.
+std::vector<NamedCurve> crossing() { return {{"path-tracer", {{0.01, 1}, {1, 0.1}, {100, 0.01}}}, {"sets", {{0.25, 0.1}, {4, 0.1}}}}; }
+
+TEST(Verdict, AtEqualTime) {
+    const std::vector<NamedCurve> curves = crossing();
+    const Verdict before = judge(curves, 0.5), after = judge(curves, 4), early = judge(curves, 0.1), late = judge(curves, 1000);
+    EXPECT_EQ(before.ahead, 1);
+    EXPECT_NEAR(before.lead, std::sqrt(2), 1e-12);
+    EXPECT_EQ(after.ahead, 0);
+    EXPECT_NEAR(after.lead, 2, 1e-12);
+    EXPECT_EQ(early.ahead, 0);
+    EXPECT_EQ(early.second, -1) << "the other has no image yet";
+    EXPECT_EQ(late.ahead, -1);
+}
+
+TEST(Verdict, AtEqualError) {
+    std::vector<NamedCurve> curves = crossing();
+    curves.push_back({"fast", {{0.001, 1}, {0.1, 0.1}}});
+    const TimesToError row = times_to(curves, 0.1);
+    EXPECT_NEAR(row.times[0].value, 1, 1e-12);
+    EXPECT_NEAR(row.speedups[1], 4, 1e-12);
+    EXPECT_NEAR(row.speedups[2], 10, 1e-9);
+    EXPECT_EQ(times_to(curves, 0.05).speedups[1], 0) << "not reached, and not guessed";
+}
+
+TEST(Verdict, RoundErrorsLieInTheRange) {
+    EXPECT_EQ(round_errors(crossing()).size(), 7U);  // 1, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01
+    EXPECT_TRUE(round_errors({}).empty());
+    EXPECT_TRUE(round_errors({{"a", {{1, 0.3}, {2, 0.25}}}}).empty());
+}
+
+TEST(Summary, BiasAndNoiseAddUp) {
+    // One run: 3^2 + 4^2; the mean of four: 3^2 + 4^2 / 4.
+    const BiasAndNoise parts = split_error(25, 13, 4);
+    EXPECT_NEAR(parts.bias, 3, 1e-12);
+    EXPECT_NEAR(parts.noise, 4, 1e-12);
+    EXPECT_EQ(split_error(25, 26, 4).noise, 0) << "by chance";
+}
+
+TEST(Summary, SeedsAreAveraged) {
+    ConvergeOptions options;
+    options.methods = {"sets"};
+    options.seeds = 3;
+    options.folder = "/nonexistent";
+    const std::vector<RunPoint> points{point("sets", 0, 0, 1, 0.01), point("sets", 0, 1, 5, 0.04), point("sets", 0, 2, 2, 0.04),
+                                       point("sets", 0, 3, 9, 9), point("thesis", 0, 0, 1)};
+    const std::vector<MethodSummary> methods = summarise(points, options, {});
+    ASSERT_EQ(methods.size(), 1U) << "a method that was not asked for";
+    ASSERT_EQ(methods[0].budgets.size(), 1U);
+    const BudgetSummary& budget = methods[0].budgets[0];
+    EXPECT_EQ(budget.seeds.size(), 3U) << "a seed that was not asked for";
+    EXPECT_EQ(budget.seconds, 2) << "median";
+    EXPECT_NEAR(budget.relative_error, std::sqrt(0.03), 1e-12);
+    EXPECT_NEAR(budget.rmse, std::sqrt(0.03), 1e-12);
+    EXPECT_EQ(budget.stages[0].second, 0.5) << "median";
+    EXPECT_FALSE(budget.bias) << "no images";
+}
+
+TEST(Truth, NoiseOfTwoHalves) {
+    std::mt19937 random(3);
+    std::normal_distribution<float> normal(0, 0.02F);
+    std::vector<float> a(30000), b(a.size()), mean(a.size()), exact(a.size(), 1.0F);
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        a[i] = 1 + normal(random);
+        b[i] = 1 + normal(random);
+        mean[i] = (a[i] + b[i]) / 2;
+    }
+    const double true_noise = measure({mean.data(), exact.data(), mean.size() / 3, 3}).rel_mse;
+    EXPECT_NEAR(noise_of_halves(a, b), true_noise, 0.05 * true_noise);
+}
+
+Report small_report() {
+    Report report;
+    report.options.scene = "<room> & co.xml";
+    report.options.methods = {"sets"};
+    report.options.width = report.options.height = 4;
+    report.options.folder = "/nonexistent";
+    report.truth.width = report.truth.height = 4;
+    report.truth.rgb.assign(48, 0.5F);
+    report.truth.noise_rel_mse = 1e-5;
+    report.finished = true;
+    for (int budget = 0; budget < 6; ++budget) {
+        report.points.push_back(point(path_tracer_name, budget, 0, path_tracer_seconds(budget), 1e-3 / path_tracer_seconds(budget)));
+        report.points.push_back(point("sets", budget, 0, 0.3 * std::pow(2, budget), 0.002));
+    }
+    report.methods = summarise(report.points, report.options, report.truth);
+    return report;
+}
+
+TEST(Report, JsonHoldsNumbersAndReasons) {
+    const nlohmann::json json = nlohmann::json::parse(summary_json(small_report()));
+    EXPECT_EQ(json["schema"], 1);
+    ASSERT_EQ(json["methods"].size(), 2U);
+    EXPECT_NEAR(json["methods"][0]["fits"]["relative_error"]["slope"].get<double>(), -0.5, 1e-6);
+    EXPECT_FALSE(json["methods"][0]["fits"]["relative_error"]["floor_visible"].get<bool>());
+    EXPECT_TRUE(json["methods"][1]["fits"]["relative_error"]["floor_visible"].get<bool>());
+    EXPECT_NEAR(json["methods"][1]["fits"]["relative_error"]["floor"].get<double>(), std::sqrt(0.002), 1e-6);
+    const nlohmann::json& at_a_second = json["comparison"]["relative_error"]["equal_time"][1];
+    EXPECT_EQ(at_a_second["seconds"], 1);
+    EXPECT_EQ(at_a_second["ahead"], "path-tracer");
+    EXPECT_NEAR(at_a_second["lead"].get<double>(), std::sqrt(2), 1e-6);
+    const nlohmann::json& early = json["comparison"]["relative_error"]["equal_time"][0]["errors"]["sets"];
+    EXPECT_TRUE(early["value"].is_null());
+    EXPECT_EQ(early["state"], "before first point");
+    EXPECT_NEAR(early["first_seconds"].get<double>(), 0.3, 1e-12);
+}
+
+TEST(Report, PageSaysWhoIsAhead) {
+    const std::string html = page_html(small_report(), "no plots (reason); advice");
+    EXPECT_NE(html.find("&lt;room&gt; &amp; co.xml"), std::string::npos);
+    EXPECT_EQ(html.find("<room>"), std::string::npos);
+    EXPECT_NE(html.find("ahead of sets"), std::string::npos);
+    EXPECT_NE(html.find("no image yet"), std::string::npos);
+    EXPECT_NE(html.find("not reached"), std::string::npos);
+    EXPECT_NE(html.find("no plots (reason); advice"), std::string::npos);
+    for (const char* resource : {"http:", "https:", "src=\"/", "url(", "<script", "<link"}) {
+        EXPECT_EQ(html.find(resource), std::string::npos) << resource;
+    }
+}
+
+TEST(Report, WarnsOfWhatTheCurvesDoNotShow) {
+    Report report = small_report();
+    EXPECT_TRUE(curve_warnings(report).empty());
+    report.truth.noise_rel_mse = 1e-4;  // of 1e-4 measured
+    ASSERT_EQ(curve_warnings(report).size(), 1U);
+    EXPECT_NE(curve_warnings(report)[0].find("noise of the reference"), std::string::npos);
+    report.truth.noise_rel_mse.reset();
+    report.methods[1].budgets.resize(3);
+    ASSERT_EQ(curve_warnings(report).size(), 1U);
+    EXPECT_NE(curve_warnings(report)[0].find("sets has 3 points"), std::string::npos);
+}
+
+TEST(Text, NumbersAreShort) {
+    EXPECT_EQ(round_text(0.01234), "0.012");
+    EXPECT_EQ(round_text(4.25), "4.2");
+    EXPECT_EQ(round_text(42.4), "42");
+    EXPECT_EQ(round_text(1234), "1234");
+    EXPECT_EQ(round_text(0.000012), "1.2e-05");
+    EXPECT_EQ(round_text(NAN), "–");
+    EXPECT_EQ(percent_text(0.042), "4.2\u00a0%");
+}
+
+TEST(Pictures, DataUris) {
+    EXPECT_EQ(data_uri("a/b", ""), "data:a/b;base64,");
+    EXPECT_EQ(data_uri("a/b", "f"), "data:a/b;base64,Zg==");  // RFC 4648, section 10
+    EXPECT_EQ(data_uri("a/b", "fo"), "data:a/b;base64,Zm8=");
+    EXPECT_EQ(data_uri("a/b", "foo"), "data:a/b;base64,Zm9v");
+    EXPECT_EQ(data_uri("a/b", "foobar"), "data:a/b;base64,Zm9vYmFy");
+    EXPECT_EQ(data_uri("a/b", "\xff\xef"), "data:a/b;base64,/+8=");
+    EXPECT_EQ(picture_uri(std::vector<float>(12, 0.5F), 2, 2, 1).rfind("data:image/png;base64,iVBORw0KGgo", 0), 0U);
+}
+
+}  // namespace
+}  // namespace pencil
