@@ -36,15 +36,17 @@ std::string command_text(const ConvergeCommand& command, const ConvergeOptions& 
     std::string text = "pencil converge " + command.scene.string() + " -o " + command.folder.string() + " --resolution " +
                        std::to_string(options.width) + "x" + std::to_string(options.height) + " --seeds " + std::to_string(options.seeds) +
                        " --longest " + format_real(options.longest);
+    const auto add = [&text](const std::string& option, const std::string& value) {
+        text.append(" ").append(option).append(" ").append(value);
+    };
     if (command.methods != all_method_names()) {
-        std::string names;
-        for (const std::string& name : command.methods) {
-            names += (names.empty() ? "" : ",") + name;
-        }
-        text += " --methods " + (names.empty() ? "none" : names);
+        std::string names = join(command.methods);
+        names.erase(std::remove(names.begin(), names.end(), ' '), names.end());
+        add("--methods", names.empty() ? "none" : names);
     }
     for (const auto& [name, value] : command.defines) {
-        text += " -D " + name + "=" + value;
+        std::string define = name;
+        add("-D", define.append("=").append(value));
     }
     return text + (command.reference.empty() ? "" : " --reference " + command.reference.string()) +
            (command.device.empty() ? "" : " --device " + command.device);

@@ -10,6 +10,7 @@ constexpr double steepest = 1.5, exponent_step = 0.01;  // exponents that are tr
 constexpr double flat_slope = -0.05;                    // an error that falls by less than 11 % in ten times the time does not fall
 constexpr double floor_share = 0.5;                     // of the last error, below which a floor is not seen
 constexpr double significant = 8;                       // F(1, n - 3) at about the 5 % level for 6 to 8 points
+constexpr double same_error = 1.05;                     // what fell below a level by more had no floor there
 constexpr double same_time = 1.05;                      // ratio of times that are not told apart
 constexpr double precision = 1e-3;                      // relative, of a measured error: residuals below it mean nothing
 
@@ -130,7 +131,7 @@ std::optional<FloorFit> fit_floor(const Curve& curve) {
     const double n = static_cast<double>(curve.size());
     const double without = best_fit(curve, 0, false).second.residual, with = fit.residual + n * precision * precision;
     const bool explains = (without - with) / (with / (n - 3)) >= significant;
-    result.visible = explains && result.floor >= floor_share * curve.back().error;
+    result.visible = explains && result.floor >= floor_share * curve.back().error && result.floor <= same_error * curve.back().error;
     return result;
 }
 

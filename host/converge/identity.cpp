@@ -44,11 +44,13 @@ void check_identity(const std::filesystem::path& folder, const Identity& identit
                              "\" now" + advice);
         }
     }
-    for (const RunPoint& point : points) {
-        if (is_known(point.method) && run_flags(point.method, point.budget) != point.options) {
-            throw UsageError(folder.string() + " holds runs of " + point.method + " with other options: \"" + point.options +
-                             "\" there, \"" + run_flags(point.method, point.budget) + "\" now" + advice);
-        }
+    const auto changed = [](const RunPoint& point) {
+        return is_known(point.method) && run_flags(point.method, point.budget) != point.options;
+    };
+    const auto point = std::find_if(points.begin(), points.end(), changed);
+    if (point != points.end()) {
+        throw UsageError(folder.string() + " holds runs of " + point->method + " with other options: \"" + point->options + "\" there, \"" +
+                         run_flags(point->method, point->budget) + "\" now" + advice);
     }
 }
 

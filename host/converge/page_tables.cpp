@@ -27,6 +27,21 @@ std::string head_row(const Report& report, const std::string& first) {
 
 std::string table(const std::string& rows) { return "<div class=\"wide\"><table>\n" + rows + "</table></div>\n"; }
 
+/// Metrics that put another method first than `ahead`.
+std::string disagreement(const Report& report, const Verdict& verdict) {
+    std::string text;
+    for (std::size_t i = 1; i < error_metrics().size(); ++i) {
+        const ErrorMetric& metric = error_metrics()[i];
+        const Verdict other = judge(curves_of(report, metric), verdict.seconds);
+        if (other.ahead >= 0 && other.ahead != verdict.ahead && other.lead >= level) {
+            text += std::string("<small>by ") + metric.title + ", " +
+                    html_text(report.methods[static_cast<std::size_t>(other.ahead)].name) + " is ahead by " + round_text(other.lead) +
+                    "</small>";
+        }
+    }
+    return text;
+}
+
 std::string card(const Report& report, const Verdict& verdict) {
     const auto index = static_cast<std::size_t>(std::max(verdict.ahead, 0));
     std::string text = "<div class=\"card\" style=\"--method:" + (verdict.ahead < 0 ? "var(--line)" : method_colour(index)) +
@@ -45,7 +60,7 @@ std::string card(const Report& report, const Verdict& verdict) {
     return text + "<div>" +
            (verdict.lead < level ? "level with " + other
                                  : "ahead of " + other + " by a factor of <b>" + round_text(verdict.lead) + "</b>") +
-           "</div></div>\n";
+           disagreement(report, verdict) + "</div></div>\n";
 }
 
 std::string error_cell(const ErrorMetric& metric, const Verdict& verdict, std::size_t index) {

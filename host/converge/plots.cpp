@@ -65,7 +65,7 @@ std::string make_plots(const std::filesystem::path& folder) {
         const std::string reason = status == -1              ? std::string(std::strerror(errno))
                                    : status == no_matplotlib ? "has no matplotlib"
                                                              : "failed with status " + std::to_string(status);
-        reasons += (reasons.empty() ? "" : "; ") + python + ": " + reason;
+        reasons.append(reasons.empty() ? "" : "; ").append(python).append(": ").append(reason);
     }
     return "no plots (" + reasons + "); install python3-matplotlib and run the same command again";
 }

@@ -16,7 +16,7 @@ class Compare : public testing::Test {
 protected:
     /// An image of one colour by oiiotool.
     std::string constant(const std::string& name, const std::string& colour, const std::string& size = "8x6") const {
-        const std::string file = (folder / name).string();
+        std::string file = (folder / name).string();
         const RunResult made = run({"oiiotool", "--pattern", "constant:color=" + colour, size, "3", "-o", file});
         EXPECT_EQ(made.code, 0) << made.err;
         return file;

@@ -67,6 +67,13 @@ TEST(Curve, NoFloorIsSeenFarBelowTheLastError) {
     EXPECT_FALSE(fit_floor(curve)->visible);
 }
 
+TEST(Curve, AFloorThatTheLastErrorFellBelowIsNone) {
+    Curve curve = synthetic(7, 0.05, -0.5, 0.04);
+    ASSERT_TRUE(fit_floor(curve)->visible);
+    curve.back().error = 0.035;
+    EXPECT_FALSE(fit_floor(curve)->visible) << fit_floor(curve)->floor;
+}
+
 TEST(Curve, AnErrorThatDoesNotFallIsAFloor) {
     const std::optional<FloorFit> fit = fit_floor(synthetic(6, 0, -0.5, 0.3, 0.01));
     ASSERT_TRUE(fit);
