@@ -2,7 +2,7 @@
 
 /// launch : 1-D, one work-item per pencil
 /// in     : surfels (albedo), links, factors: n x n entries per pencil; source[pencil_count]: irradiance of order k
-/// out    : target[pencil_count]: irradiance of order k + 1; total[pencil_count]: target is added
+/// in/out : target[pencil_count]: irradiance of order k + 1 is added; total[pencil_count]: target is added
 kernel void transport_irradiance(global const float *surfels, int capacity, global const int4 *links, global const float4 *factors,
                                  int pencil_count, int n, global const float4 *source, global float4 *target, global float4 *total) {
     int pencil = get_global_id(0);
@@ -21,7 +21,7 @@ kernel void transport_irradiance(global const float *surfels, int capacity, glob
         sum += e * (float4)(s[SURFEL_ALBEDO_R * c], s[SURFEL_ALBEDO_G * c], s[SURFEL_ALBEDO_B * c], 0.0f);
     }
     // E' = pi / n^2 sum(albedo / pi E)
-    sum /= (float)(n * n);
+    sum = sum / (float)(n * n) + target[pencil];
     target[pencil] = sum;
     total[pencil] += sum;
 }

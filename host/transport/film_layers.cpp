@@ -67,7 +67,8 @@ void FilmLayers::add_to_beauty(const std::vector<float>& pixels) {
 
 void FilmLayers::add_bounce(int order, std::vector<float> pixels) {
     add_to_beauty(pixels);
-    if (wants(order == 1 ? "direct" : "bounces")) light_.push_back({order == 1 ? "direct" : order == indirect ? "indirect" : "bounce" + std::to_string(order), 3, pixels});
+    if (wants(order == 1 ? "direct" : "bounces"))
+        light_.push_back({order == 1 ? "direct" : order == indirect ? "indirect" : "bounce" + std::to_string(order), 3, pixels});
     last_bounce_ = std::move(pixels);
 }
 

@@ -44,7 +44,7 @@ void FilmPencils::place(const std::vector<int>& pixels, int spacing) {
 void FilmPencils::refine(SurfaceSolver& solver) {
     const int width = film_.width(), height = film_.height();
     Buffer<unsigned char> uncovered(kernels_.device(), counts_.size(), "uncovered pixels");
-    solver.gather(pencils_, gathered_, pencils_.count - gathered_, true);
+    solver.gather(pencils_, gathered_, pencils_.count - gathered_);
     gathered_ = pencils_.count;
     for (int spacing = lattice_.coarsest; spacing > lattice_.finest && !solver.stopped(); spacing /= 2) {
         kernels_.get("cover_film")
@@ -66,7 +66,7 @@ void FilmPencils::refine(SurfaceSolver& solver) {
                         pixels.push_back(std::min(top + dy * half, height - 1) * width + std::min(left + dx * half, width - 1));
             }
         place(pixels, half);
-        solver.gather(pencils_, gathered_, pencils_.count - gathered_, true);
+        solver.gather(pencils_, gathered_, pencils_.count - gathered_);
         gathered_ = pencils_.count;
     }
 }

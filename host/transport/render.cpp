@@ -76,9 +76,8 @@ private:
     /// Independent images until time or error tell to stop; their mean is the result.
     RenderResult render_passes() {
         std::unique_ptr<DeviceBvh> bvh;
-        context_.clock.run("hierarchy", [&] {
-            bvh = std::make_unique<DeviceBvh>(context_.kernels.device(), build_bvh(context_.flat.triangles));
-        });
+        context_.clock.run("hierarchy",
+                           [&] { bvh = std::make_unique<DeviceBvh>(context_.kernels.device(), build_bvh(context_.flat.triangles)); });
         const std::uint64_t seed = hash64(context_.options.seed);
         LayerMean mean;
         double spent = seconds();

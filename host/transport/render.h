@@ -22,7 +22,7 @@ enum class Iterate { sets, fixed };
 
 struct RenderOptions {
     Method method = Method::line;
-    int pencils = 128;  // line: of the first set; surface: of the world set of the first pass
+    int pencils = 128;   // line: of the first set; surface: of the world set of the first pass
     double decay = 0.7;  // size of the next pencil set relative to the last
     int bounces = -1;    // reflections at most, direct light included; -1: until the tolerance
     int map = 64;        // octahedral tile size, a multiple of 8 [texels]
@@ -31,10 +31,10 @@ struct RenderOptions {
     Placement placement = Placement::lds;
     Weights weights = Weights::dpdf;
     Iterate iterate = Iterate::sets;
-    double seconds = 0;         // surface: passes until then, 0: until target_error
-    double target_error = 1e-3; // surface: estimated relMSE at which to stop
-    double tolerance = 1e-3;    // of the radiance a bounce adds, relative to the sum
-    int width = 0, height = 0;  // 0: the scene's film size
+    double seconds = 0;          // surface: passes until then, 0: until target_error
+    double target_error = 1e-3;  // surface: estimated relMSE at which to stop
+    double tolerance = 1e-3;     // of the radiance a bounce adds, relative to the sum
+    int width = 0, height = 0;   // 0: the scene's film size
     std::uint64_t seed = 0;
     int film_samples = 16;  // visibility samples per pixel, 1 to 64
 };
@@ -57,11 +57,11 @@ struct BounceReport {
 struct RenderStats {
     std::vector<StageTime> stages;  // in order of execution; kernel builds are a stage of their own
     std::vector<BounceReport> bounces;
-    double residual = 0;         // estimated radiance of the bounces that were not computed, relative to the image's mean
-    int passes = 0;                 // images averaged, surface method
+    double residual = 0;  // estimated radiance of the bounces that were not computed, relative to the image's mean
+    int passes = 0;       // images averaged, surface method
     std::uint64_t world_pencils = 0, film_pencils = 0;  // of all passes
-    double estimated_error = 0;  // relMSE of the beauty, from the spread of the passes; infinite for one pass
-    bool tail_closed = false;    // the residual was added as a geometric tail
+    double estimated_error = 0;                         // relMSE of the beauty, from the spread of the passes; infinite for one pass
+    bool tail_closed = false;                           // the residual was added as a geometric tail
     std::uint64_t device_peak_bytes = 0;
     std::uint64_t triangles = 0, film_surfels = 0;
     std::uint64_t blind_surfels = 0;   // film surfels that no pencil of the first set sees

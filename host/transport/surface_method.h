@@ -11,10 +11,10 @@ namespace pencil {
 /// What one pass spends where.
 struct SurfacePass {
     int light_samples;
-    int light_map;    // width of a light sample's map [texels]
+    int light_map;  // width of a light sample's map [texels]
     WorldSet world;
     FilmLattice lattice;
-    double weight;    // work in proportion to the first pass: its share of the mean
+    double weight;  // work in proportion to the first pass: its share of the mean
 };
 
 /// Pass `index`: each generation has twice the passes of the last, with reuse errors smaller by sqrt(2) and more pencils and light samples.

@@ -38,6 +38,12 @@ double reflecting_area(const FlatScene& flat) {
     return area;
 }
 
+double power(const std::vector<float4>& irradiance) {
+    double sum = 0;
+    for (const float4& e : irradiance) sum += static_cast<double>(e.x + e.y + e.z);
+    return sum;
+}
+
 }  // namespace
 
 SurfaceSolver::SurfaceSolver(Kernels& kernels, const DeviceScene& scene, const FlatScene& flat, const DeviceBvh& bvh,
@@ -97,24 +103,25 @@ void SurfaceSolver::reserve(int texels) {
     outgoing_ = surfel_rgb(kernels_.device(), surfels_.capacity, "radiance to surface pencils");
 }
 
-void SurfaceSolver::gather(SurfacePencils& pencils, int first, int count, bool bounces) {
+void SurfaceSolver::gather(SurfacePencils& pencils, int first, int count, Sent sent) {
     const int chunk = std::max(chunk_surfels / pencils.texels(), 1);
     for (int at = first; at < first + count; at += chunk) {
         const int part = std::min(chunk, first + count - at);
         reserve(part * pencils.texels());
         trace_hemispheres(kernels_, scene_, bvh_, pencils, at, part, seed_, surfels_, distances_);
         outgoing_.fill_zero();
-        emit_surfels(kernels_, scene_, surfels_, true, outgoing_);
-        if (lights_.maps.count > 0)
+        if (sent.emission) emit_surfels(kernels_, scene_, surfels_, true, outgoing_);
+        if (sent.direct && lights_.maps.count > 0)
             light_surfels(kernels_, scene_, surfels_, lights_, outgoing_, "direct light to surface pencils", set_.light_stride,
                           pencils.texels());
-        if (bounces) project_surface_pencils(kernels_, surfels_, world_, grid_, outgoing_);
+        if (sent.bounces) project_surface_pencils(kernels_, surfels_, world_, grid_, outgoing_);
         sum_hemispheres(kernels_, outgoing_, distances_, surfels_.capacity, at, part, pencils);
     }
 }
 
 void SurfaceSolver::solve(SurfacePencils& seeds, int orders, double tolerance) {
     world_ = SurfacePencils(kernels_.device(), 6 * set_.pencils, world_map);
+    direct_ = orders < 0 || orders >= 2;
     clock_.run("world pencils", [&] {
         reserve(seeds.count * seeds.texels());
         trace_hemispheres(kernels_, scene_, bvh_, seeds, 0, seeds.count, seed_, surfels_, distances_);
@@ -122,7 +129,7 @@ void SurfaceSolver::solve(SurfacePencils& seeds, int orders, double tolerance) {
             const int before = world_.count;
             place_surface_pencils(kernels_, surfels_, choose(surfels_, {}, spacing_), reach * spacing_, world_);
             if (world_.count == before) break;
-            gather(world_, before, world_.count - before, false);
+            gather(world_, before, world_.count - before, {false, false, false});
         }
         link();
         for (int round = 0; round < fill_rounds && fill(); ++round) link();
@@ -141,8 +148,8 @@ void SurfaceSolver::link() {
     grid_ = DeviceGrid(k.device(), placed_, flat_);
     trace_hemispheres(kernels_, scene_, bvh_, world_, 0, world_.count, seed_, world_surfels_, distances);
     kernels_.get("link_surfels")
-        .args(world_surfels_.data, world_surfels_.capacity, world_surfels_.count, world_.data, grid_.grid, grid_.starts, grid_.entries, links_,
-              factors_)
+        .args(world_surfels_.data, world_surfels_.capacity, world_surfels_.count, world_.data, grid_.grid, grid_.starts, grid_.entries,
+              links_, factors_)
         .run(static_cast<std::size_t>(world_surfels_.count), "link surfels");
 }
 
@@ -154,33 +161,42 @@ bool SurfaceSolver::fill() {
     const int before = world_.count;
     cells_.clear();
     place_surface_pencils(kernels_, world_surfels_, choose(world_surfels_, linked, fill_spacing * spacing_), reach * spacing_, world_);
-    if (world_.count > before) gather(world_, before, world_.count - before, false);
+    if (world_.count > before) gather(world_, before, world_.count - before, {false, false, false});
     return world_.count > before;
 }
 
+/// Irradiance of all pencils of the world set.
+std::vector<float4> SurfaceSolver::irradiance(Sent sent) {
+    gather(world_, 0, world_.count, sent);
+    std::vector<float4> values;
+    for (const SurfacePencil& p : world_.data.read(0, static_cast<std::size_t>(world_.count))) values.push_back(p.irradiance);
+    return values;
+}
+
+/// Step k is irradiance that the film's pencils reflect as order k + 2: it starts with what the maps carry, and reflected light of the
+/// light samples joins in step 1.
 void SurfaceSolver::iterate(int orders, double tolerance) {
-    std::vector<SurfacePencil> pencils = world_.data.read(0, static_cast<std::size_t>(world_.count));
-    std::vector<float4> start;
-    for (const SurfacePencil& p : pencils) start.push_back(p.irradiance);
-    Buffer<float4> source(kernels_.device(), start, "irradiance"), target(kernels_.device(), start, "irradiance"),
-        total(kernels_.device(), start, "irradiance of all bounces");
-    const auto power = [](const std::vector<float4>& e) {
-        double s = 0;
-        for (const float4& v : e) s += static_cast<double>(v.x + v.y + v.z);
-        return s;
-    };
-    double sum = power(start), last = 0;
-    const int most = orders < 0 ? most_iterations : std::max(orders - 2, 0);
-    for (int k = 0; k < most; ++k) {
+    const auto& device = kernels_.device();
+    const std::vector<float4> dark(static_cast<std::size_t>(world_.count), float4(0));
+    const bool any = orders < 0 || orders >= 2;
+    const std::vector<float4> emitted = any ? irradiance({true, false, false}) : dark;
+    const std::vector<float4> lit = any && lights_.maps.count > 0 ? irradiance({false, true, false}) : dark;
+    Buffer<float4> source(device, emitted, "irradiance"), target(device, dark, "irradiance"),
+        total(device, emitted, "irradiance of all bounces");
+    double sum = power(emitted), last = 0;
+    for (int k = 1; any && k < most_iterations && (orders < 0 || k + 2 <= orders); ++k) {
+        target.fill_zero();
+        if (k == 1) target.write(lit);
         kernels_.get("transport_irradiance")
             .args(world_surfels_.data, world_surfels_.capacity, links_, factors_, world_.count, world_.n, source, target, total)
             .run(static_cast<std::size_t>(world_.count), "transport irradiance", 8);
         std::swap(source, target);
         last = power(source.read());
         sum += last;
-        if (orders < 0 && last < tolerance * tolerance_share * sum) break;
+        if (orders < 0 && last <= tolerance * tolerance_share * sum) break;
     }
-    residual_ = sum > 0 ? last / sum : 0;
+    residual_ = sum > 0 && orders < 0 ? last / sum : 0;
+    std::vector<SurfacePencil> pencils = world_.data.read(0, static_cast<std::size_t>(world_.count));
     const std::vector<float4> all = total.read();
     for (std::size_t i = 0; i < pencils.size(); ++i) pencils[i].irradiance = all[i];
     world_.data.write(pencils);

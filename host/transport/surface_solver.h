@@ -22,18 +22,25 @@ public:
     /// then iterates bounces. Orders of reflection up to `orders` (-1: until the tolerance).
     void solve(SurfacePencils& seeds, int orders, double tolerance);
 
-    /// What the texels of pencils first .. first + count of a set send, and with it their sums. `bounces`: with the world set's irradiance.
-    void gather(SurfacePencils& pencils, int first, int count, bool bounces);
+    /// Sums of pencils first .. first + count of a set over all that their texels send, after solve().
+    void gather(SurfacePencils& pencils, int first, int count) { gather(pencils, first, count, {true, direct_, true}); }
 
     const SurfacePencils& world() const { return world_; }
     bool stopped() const { return clock_.stopped(); }
     double residual() const { return residual_; }
 
 private:
+    /// Which radiance of what they see the texels send: emission that the maps carry, reflected light of the light samples, reflected
+    /// irradiance of the world set.
+    struct Sent {
+        bool emission, direct, bounces;
+    };
+    void gather(SurfacePencils& pencils, int first, int count, Sent sent);
     std::vector<int> choose(const Surfels& surfels, const std::vector<bool>& skip, float spacing);
     void reserve(int texels);
     void link();
     bool fill();
+    std::vector<float4> irradiance(Sent sent);
     void iterate(int orders, double tolerance);
 
     Kernels& kernels_;
@@ -51,6 +58,7 @@ private:
     Buffer<float4> factors_;
     Buffer<float> distances_, outgoing_;
     float spacing_ = 0;
+    bool direct_ = true;  // reflections of order 2 are part of the image
     double residual_ = 0;
     std::vector<SurfacePencil> placed_;
     std::map<std::tuple<int, int, int>, std::vector<std::size_t>> cells_;

@@ -1,0 +1,129 @@
+// The surface method against closed-form answers: what the line projection loses near walls, closed rooms, bounces one by one, and an
+// error that falls with time and is known without a reference.
+#include <cmath>
+
+#include "reference/form_factor_ref.h"
+#include "scenes/known_scenes.h"
+#include "scenes/scene_builder.h"
+
+namespace {
+
+using namespace pencil;
+using namespace pencil::test;
+
+RenderOptions surface_options(Initial initial) {
+    RenderOptions options;
+    options.method = Method::surface;
+    options.initial = initial;
+    options.pencils = 300;
+    options.film_samples = 4;
+    options.target_error = 1e9;  // two passes
+    return options;
+}
+
+double mean(const Layer& image) {
+    double sum = 0.0;
+    for (const float value : image.pixels) sum += value;
+    return sum / static_cast<double>(image.pixels.size());
+}
+
+TEST(Surface, FurnaceIsTheWholeSeries) {
+    for (const float albedo : {0.5F, 0.8F}) {
+        RenderOptions options = surface_options(Initial::emission);
+        options.tolerance = 1e-4;
+        SCOPED_TRACE(albedo);
+        expect_uniform(layer(render_layers(furnace(albedo), options), ""), 1.0 / (1.0 - static_cast<double>(albedo)), 1e-3);
+    }
+}
+
+TEST(Surface, BouncesCountAsTheSceneAsks) {
+    const double a = 0.8F;
+    for (int bounces = 0; bounces <= 4; ++bounces) {
+        RenderOptions options = surface_options(Initial::emission);
+        options.bounces = bounces;
+        SCOPED_TRACE(bounces);
+        expect_uniform(layer(render_layers(furnace(0.8F), options), ""), (1.0 - std::pow(a, bounces + 1)) / (1.0 - a), 1e-3);
+    }
+}
+
+TEST(Surface, SampledLightsBounceAsOften) {
+    // The same room lit by light samples or by emission in the maps: each order must agree, or one of them is counted wrongly.
+    Scene scene = two_rooms(0.1, true);
+    look_at(scene, {0.1, 0.5, 0.1}, {1.0, 0.45, 0.9}, {0, 1, 0}, 90.0, 64, 64);
+    for (int bounces = 1; bounces <= 3; ++bounces) {
+        double means[2];
+        for (const Initial initial : {Initial::direct, Initial::emission}) {
+            RenderOptions options = surface_options(initial);
+            options.bounces = bounces;
+            options.light_samples = 512;
+            means[initial == Initial::emission ? 1 : 0] = mean(layer(render_layers(scene, options), ""));
+        }
+        EXPECT_NEAR(means[1] / means[0], 1.0, 0.03) << bounces << " bounces";
+    }
+}
+
+TEST(Surface, LitWallUpToTheCorner) {
+    RenderOptions options = surface_options(Initial::emission);
+    options.bounces = 1;
+    const RenderResult result = render_layers(lit_wall_box(), options, {"indirect", "position"});
+    const Layer &light = layer(result, ""), &position = layer(result, "position");
+    for (const auto& [x, z] : {std::pair{0.5, 0.5}, {0.2, 0.5}, {0.05, 0.5}, {0.01, 0.5}, {0.02, 0.02}}) {
+        std::size_t best = 0;
+        double nearest = 1e9;
+        for (std::size_t i = 0; i < pixel_count(position); ++i) {
+            const double d = glm::distance(pixel(position, i), dvec3(x, 0.0, z));
+            if (d < nearest) {
+                nearest = d;
+                best = i;
+            }
+        }
+        const dvec3 at = pixel(position, best);
+        const double ratio = pixel(light, best).x * ref::pi / ref::lit_wall_irradiance(at.x, at.z);
+        std::printf("lit wall, surface method, at %.2f %.2f: %.4f of the exact irradiance\n", x, z, ratio);
+        EXPECT_NEAR(ratio, 1.0, 0.05) << x << " " << z;
+    }
+}
+
+TEST(Surface, NoLightThroughWalls) {
+    for (const double thickness : {0.0, 0.01, 0.1}) {
+        Scene scene = two_rooms(thickness, false);
+        const double dark = mean(layer(render_layers(scene, surface_options(Initial::direct)), ""));
+        look_at(scene, {0.1, 0.5, 0.1}, {1.0, 0.45, 0.9}, {0, 1, 0}, 90.0, 64, 64);
+        const double lit = mean(layer(render_layers(scene, surface_options(Initial::direct)), ""));
+        std::printf("leak of the surface method through a wall of %g: %.2e\n", thickness, dark / lit);
+        EXPECT_LT(dark / lit, 1e-3) << thickness;
+    }
+}
+
+TEST(Surface, TwoRendersAreBitwiseEqual) {
+    const Scene scene = two_rooms(0.1, true);
+    const RenderOptions options = surface_options(Initial::direct);
+    EXPECT_EQ(layer(render_layers(scene, options), "").pixels, layer(render_layers(scene, options), "").pixels);
+}
+
+TEST(Surface, MoreTimeLowersTheErrorAndTheErrorIsKnown) {
+    Scene scene = two_rooms(0.1, true);
+    look_at(scene, {0.1, 0.5, 0.1}, {1.0, 0.45, 0.9}, {0, 1, 0}, 90.0, 64, 64);
+    RenderOptions options = surface_options(Initial::direct);
+    options.target_error = 2e-5;
+    options.seed = 7;
+    const std::vector<float> truth = layer(render_layers(scene, options), "").pixels;
+    const double level = mean(layer(render_layers(scene, options), ""));
+    double last = 1e9;
+    for (const double target : {1e-2, 1e-3, 2e-4}) {
+        options.seed = 1;
+        options.target_error = target;
+        const RenderResult result = render_layers(scene, options);
+        double error = 0.0;
+        for (std::size_t i = 0; i < truth.size(); ++i) {
+            const double r = truth[i], d = layer(result, "").pixels[i] - r;
+            error += d * d / (r * r + 0.01 * level * level) / static_cast<double>(truth.size());
+        }
+        std::printf("target %.0e: %d passes, estimated %.2e, true %.2e\n", target, result.stats.passes, result.stats.estimated_error,
+                    error);
+        EXPECT_LE(error, 1.05 * last);
+        last = error;
+    }
+}
+
+}  // namespace
