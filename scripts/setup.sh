@@ -13,7 +13,7 @@ packages=(
     libembree-dev libtbb-dev libglm-dev libcli11-dev libspdlog-dev libpugixml-dev nlohmann-json3-dev
     # Tests, benchmarks, format, plots
     libgtest-dev libgmock-dev libbenchmark-dev clang-format clang-tidy
-    python3 python3-matplotlib python3-numpy
+    python3 python3-matplotlib python3-numpy python3-pil
 )
 
 missing=()

@@ -31,7 +31,7 @@ auto timed(RunReport& report, const std::string& name, Work work) -> decltype(wo
         RunReport& report;
         const std::string& name;
         Stopwatch watch;
-        ~AddStage() { report.stages.push_back({name, watch.seconds(), 0, 0}); }
+        ~AddStage() { report.stages.push_back({name, watch.seconds(), 0, 0, {}}); }
     } at_end{report, name, {}};
     return work();
 }

@@ -45,7 +45,7 @@ void print_summary(std::ostream& out, const RunReport& report, const std::vector
     out << std::left << std::setw(name_width) << "stage" << std::right << std::setw(number_width) << "wall s" << std::setw(number_width)
         << "device s" << std::setw(number_width) << "launches"
         << "\n";
-    StageTime total{"total", report.total_wall_seconds, 0, 0};
+    StageTime total{"total", report.total_wall_seconds, 0, 0, {}};
     for (const StageTime& stage : report.stages) {
         print_stage(out, stage);
         total.device_seconds += stage.device_seconds;

@@ -48,23 +48,24 @@ Json device_json(const RunReport& report) {
             {"packet_width", report.packet_width}};
 }
 
+Json launches_json(const std::map<std::string, LaunchTimes>& by_description) {
+    Json launches = Json::object();
+    for (const auto& [description, times] : by_description) {
+        launches[description] = {{"launches", times.launches}, {"device_seconds", times.device_seconds}};
+    }
+    return launches;
+}
+
 Json stages_json(const RunReport& report) {
     Json stages = Json::array();
     for (const StageTime& stage : report.stages) {
         stages.push_back({{"name", stage.name},
                           {"wall_seconds", stage.wall_seconds},
                           {"device_seconds", stage.device_seconds},
-                          {"launches", stage.launches}});
+                          {"launches", stage.launches},
+                          {"kernel_launches", launches_json(stage.kernels)}});
     }
     return stages;
-}
-
-Json launches_json(const RunReport& report) {
-    Json launches = Json::object();
-    for (const auto& [description, times] : report.launches) {
-        launches[description] = {{"launches", times.launches}, {"device_seconds", times.device_seconds}};
-    }
-    return launches;
 }
 
 Json bounces_json(const RenderStats& stats) {
@@ -91,7 +92,7 @@ void write_stats(const std::filesystem::path& file, const RunReport& report, con
                     {"interrupted", report.interrupted},
                     {"layers", report.layers},
                     {"stages", stages_json(report)},
-                    {"kernel_launches", launches_json(report)},
+                    {"kernel_launches", launches_json(report.launches)},
                     {"kernel_build_seconds", report.kernel_build_seconds},
                     {"total_wall_seconds", report.total_wall_seconds},
                     {"bounces", bounces_json(stats)},

@@ -37,7 +37,7 @@ private:
         const LightSet& lights = frame_.lights();
         if (!context_.wanted(order + 1) || clock.stopped()) return;
         std::unique_ptr<FreeSpace> free_space;
-        clock.run("pencil maps", [&] {
+        clock.run("rooms", [&] {
             free_space = std::make_unique<FreeSpace>(context_.kernels, context_.device_scene, context_.flat, frame_.film().surfels(),
                                                      lights.maps.count > 0 ? &lights.maps : nullptr, context_.options.map);
         });

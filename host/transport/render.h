@@ -44,6 +44,7 @@ struct StageTime {
     double wall_seconds = 0;
     double device_seconds = 0;
     int launches = 0;
+    std::map<std::string, LaunchTimes> kernels;  // the same, by launch description
 };
 
 /// What one reflection added to the image.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -19,19 +20,17 @@ public:
     double run(const std::string& name, Work&& work) {
         announce(name);
         const auto start = std::chrono::steady_clock::now();
-        const LaunchTimes before = total();
+        const std::map<std::string, LaunchTimes> before = device_->launch_times();
         const double built = device_->build_seconds();
         work();
         device_->finish();
-        const LaunchTimes after = total();
         const double build = device_->build_seconds() - built;
         const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
         StageTime& stage = find(name);
         stage.wall_seconds += wall.count() - build;
-        stage.device_seconds += after.device_seconds - before.device_seconds;
-        stage.launches += after.launches - before.launches;
+        const double device_seconds = add_launches(stage, before);
         if (build > 0) find("kernel build").wall_seconds += build;
-        return after.device_seconds - before.device_seconds;
+        return device_seconds;
     }
 
     /// Reports progress; true if the caller asked to stop.
@@ -43,18 +42,26 @@ private:
     void announce(const std::string& name) {
         if (progress_ && !progress_(name, fraction_)) stopped_ = true;
     }
-    LaunchTimes total() {
-        LaunchTimes sum;
+    /// Adds what was launched since `before` to the stage; returns its device seconds.
+    double add_launches(StageTime& stage, const std::map<std::string, LaunchTimes>& before) {
+        double seconds = 0;
         for (const auto& [description, times] : device_->launch_times()) {
-            sum.launches += times.launches;
-            sum.device_seconds += times.device_seconds;
+            const auto old = before.find(description);
+            const LaunchTimes earlier = old == before.end() ? LaunchTimes{} : old->second;
+            if (times.launches == earlier.launches) continue;
+            LaunchTimes& kernel = stage.kernels[description];
+            kernel.launches += times.launches - earlier.launches;
+            kernel.device_seconds += times.device_seconds - earlier.device_seconds;
+            stage.launches += times.launches - earlier.launches;
+            seconds += times.device_seconds - earlier.device_seconds;
         }
-        return sum;
+        stage.device_seconds += seconds;
+        return seconds;
     }
     StageTime& find(const std::string& name) {
         for (StageTime& stage : stages_)
             if (stage.name == name) return stage;
-        stages_.push_back({name, 0, 0, 0});
+        stages_.push_back({name, 0, 0, 0, {}});
         return stages_.back();
     }
 

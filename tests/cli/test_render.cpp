@@ -98,6 +98,9 @@ TEST_F(Render, StatisticsFollowTheirSchema) {
     for (const nlohmann::json& stage : stats.at("stages")) {
         EXPECT_TRUE(stage.at("name").is_string() && stage.at("device_seconds").is_number() && stage.at("launches").is_number());
         sum += stage.at("wall_seconds").get<double>();
+        int launches = 0;
+        for (const nlohmann::json& kernel : stage.at("kernel_launches")) launches += kernel.at("launches").get<int>();
+        EXPECT_EQ(launches, stage.at("launches")) << stage.at("name");
     }
     EXPECT_LE(sum, 1.01 * stats.at("total_wall_seconds").get<double>()) << "stages do not overlap";
     EXPECT_FALSE(stats.at("kernel_launches").empty());
