@@ -50,10 +50,10 @@ protected:
 };
 
 TEST_F(Program, EveryItemRunsOnceAtAnySize) {
-    constexpr int CAPACITY = 1100;
+    constexpr int capacity = 1100;
     for (const std::size_t count : {1u, 7u, 8u, 9u, 64u, 1000u}) {
         for (const std::size_t local : {0u, 1u, 3u, 16u}) {
-            Buffer<int> counts(device, CAPACITY, "counts");
+            Buffer<int> counts(device, capacity, "counts");
             counts.fill_zero();
             kernel("count_visits").args(counts, static_cast<int>(count)).run(count, "counting", local);
             const std::vector<int> found = counts.read();
