@@ -12,9 +12,9 @@ namespace pencil {
 namespace {
 
 // Drivers keep some memory for themselves, and fail late and badly when it is gone.
-constexpr double USABLE_MEMORY = 0.9;
+constexpr double usable_memory = 0.9;
 // An event holds driver memory: finished ones are read and dropped whenever this many are kept.
-constexpr std::size_t EVENTS_KEPT = 256;
+constexpr std::size_t events_kept = 256;
 
 int width_from_environment() {
     const char* text = std::getenv("PENCIL_WIDTH");
@@ -35,6 +35,7 @@ double event_seconds(const cl::Event& event) {
 std::shared_ptr<Device> Device::open(const std::string& selector) {
     std::vector<FoundDevice> found = find_devices();
     std::vector<DeviceInfo> infos;
+    infos.reserve(found.size());
     for (const FoundDevice& device : found) infos.push_back(device.info);
     const char* preferred = std::getenv("PENCIL_DEVICE");
     const FoundDevice& chosen = found[select_device(infos, selector.empty() && preferred ? preferred : selector)];
@@ -69,7 +70,7 @@ std::size_t Device::local_size() const {
 }
 
 void Device::reserve(std::uint64_t bytes, const std::string& what) {
-    const auto usable = static_cast<std::uint64_t>(USABLE_MEMORY * static_cast<double>(info_.global_memory));
+    const auto usable = static_cast<std::uint64_t>(usable_memory * static_cast<double>(info_.global_memory));
     const std::string advice = " Try fewer pencils, a smaller map or resolution, or another device.";
     if (bytes > info_.max_allocation) {
         throw MemoryError(what + " needs one buffer of " + format_bytes(bytes) + ", and " + info_.name + " allows at most " +
@@ -88,7 +89,7 @@ void Device::release(std::uint64_t bytes) { allocated_ -= std::min(bytes, alloca
 
 void Device::record(const std::string& description, const cl::Event& event) {
     pending_.emplace_back(description, event);
-    if (pending_.size() >= EVENTS_KEPT) drain(false);
+    if (pending_.size() >= events_kept) drain(false);
 }
 
 // The queue runs in order, so everything before the first unfinished event is finished.
@@ -112,7 +113,7 @@ void Device::drain(bool wait) {
     }
     pending_.erase(pending_.begin(), pending_.begin() + static_cast<std::ptrdiff_t>(done));
     // A queue that runs far ahead of the device holds memory for each command: let it catch up.
-    if (done == 0 && pending_.size() >= 16 * EVENTS_KEPT) drain(true);
+    if (done == 0 && pending_.size() >= 16 * events_kept) drain(true);
 }
 
 std::map<std::string, LaunchTimes> Device::launch_times() {

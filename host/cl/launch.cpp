@@ -10,7 +10,7 @@ namespace pencil {
 namespace {
 
 // Measured on PoCL 3.1: 65528 work-items share code with smaller grids, 65536 do not.
-constexpr std::size_t LARGE_GRID = 65535;
+constexpr std::size_t large_grid = 65535;
 
 std::size_t rounded_up(std::size_t count, std::size_t step) { return (count + step - 1) / step * step; }
 
@@ -87,7 +87,7 @@ void Launch::enqueue(const cl::NDRange& global, const cl::NDRange& local, const 
     // PoCL generates code at the first launch of each local size, and again for grids of 65535 items or more. Such a launch runs alone, so
     // that the time beyond its own run counts as build time.
     const std::size_t global_y = global.dimensions() == 2 ? global.get()[1] : 0, local_y = local.dimensions() == 2 ? local.get()[1] : 0;
-    const bool large = std::max(global.get()[0], global_y) >= LARGE_GRID;
+    const bool large = std::max(global.get()[0], global_y) >= large_grid;
     const bool first = compiled_->emplace(local.get()[0], local_y, large).second;
     cl_call(doing, [&] {
         if (first) device_->queue().finish();

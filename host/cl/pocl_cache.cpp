@@ -41,7 +41,7 @@ std::string private_directory() {
     std::error_code error;
     const fs::path temporary = fs::temp_directory_path(error);
     if (error) return "";
-    const std::string wanted = (temporary / ("pencil-pocl-cache-" + std::to_string(geteuid()))).string();
+    std::string wanted = (temporary / ("pencil-pocl-cache-" + std::to_string(geteuid()))).string();
     mkdir(wanted.c_str(), 0700);
     struct stat status {};
     if (lstat(wanted.c_str(), &status) == 0 && S_ISDIR(status.st_mode) && status.st_uid == geteuid() && (status.st_mode & 077) == 0)

@@ -17,11 +17,11 @@
 namespace pencil {
 namespace {
 
-constexpr const char* BUILD_FLAGS = "-cl-std=CL1.2 -Werror";
+constexpr const char* build_flags = "-cl-std=CL1.2 -Werror";
 
 // Clang warns that vectors wider than the CPU's registers pass differently than with other -m options; a program is one unit, so nothing
 // can disagree. Asked for by PENCIL_WIDTH beyond the native width.
-constexpr const char* PRELUDE =
+constexpr const char* prelude =
     "#ifdef __clang__\n"
     "#if __has_warning(\"-Wpsabi\")\n"
     "#pragma clang diagnostic ignored \"-Wpsabi\"\n"
@@ -35,18 +35,18 @@ std::string environment(const char* name) {
 
 // Options are split at blanks by the driver, so a blank in a value would silently become another option.
 std::string build_options(const Defines& defines) {
-    std::string options = BUILD_FLAGS;
+    std::string options = build_flags;
     for (const auto& [name, value] : defines) {
         if (name.empty() || (name + value).find_first_of(" \t\n\"'\\") != std::string::npos)
             throw DeviceError("the define " + name + "=" + value + " holds a blank or quote, which build options cannot carry");
-        options += " -D " + name + "=" + value;
+        options.append(" -D ").append(name).append("=").append(value);
     }
     return options;
 }
 
 std::string join(const std::vector<std::string>& files) {
     std::string text;
-    for (const std::string& file : files) text += (text.empty() ? "" : " + ") + file;
+    for (const std::string& file : files) text.append(text.empty() ? "" : " + ").append(file);
     return text;
 }
 
@@ -65,7 +65,7 @@ void dump_source(const std::string& folder, const std::vector<std::string>& file
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     std::ofstream out(path, std::ios::binary);
-    out << "// " << join(files) << "\n// build options: " << BUILD_FLAGS << "\n";
+    out << "// " << join(files) << "\n// build options: " << build_flags << "\n";
     for (const auto& [name, value] : defines) out << "#define " << name << " " << value << "\n";
     out << source;
     if (!out.flush()) log_warning("PENCIL_DUMP_KERNELS: cannot write " + path.string());
@@ -119,7 +119,7 @@ Launch ProgramCache::kernel(const std::string& name, const std::vector<std::stri
 
 cl::Program ProgramCache::build(const std::vector<std::string>& files, const Defines& defines) {
     if (files.empty()) throw DeviceError("a program needs at least one kernel file");
-    std::string source = PRELUDE;
+    std::string source = prelude;
     for (const std::string& file : files) source += kernel_source(file) + "\n";
     const std::string folder = environment("PENCIL_DUMP_KERNELS"), options = build_options(defines);
     if (!folder.empty()) dump_source(folder, files, defines, source);

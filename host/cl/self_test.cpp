@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <cstring>
 #include <limits>
 
 // Order matters: these headers rely on the first one.
@@ -27,11 +26,11 @@ int reduction_group(const Device& device) {
     return group;
 }
 
-const std::vector<std::string> FILES = {"shared/types.h", "shared/geometry.h",  "shared/light.h", "shared/camera.h",
+const std::vector<std::string> files = {"shared/types.h", "shared/geometry.h",  "shared/light.h", "shared/camera.h",
                                         "lib/packet.cl",  "self_test_layout.h", "self_test.cl"};
 
 Launch self_test_kernel(ProgramCache& programs, const std::string& name) {
-    return programs.kernel(name, FILES, {{"SELF_TEST_GROUP", std::to_string(reduction_group(*programs.device()))}});
+    return programs.kernel(name, files, {{"SELF_TEST_GROUP", std::to_string(reduction_group(*programs.device()))}});
 }
 
 std::string number(double value) {
@@ -150,6 +149,7 @@ std::string check_integers(ProgramCache& programs) {
 std::string check_packets(ProgramCache& programs) {
     const int width = programs.device()->packet_width(), packets = 37, count = packets * width;  // not a multiple of any local size
     std::vector<float> input;
+    input.reserve(static_cast<std::size_t>(count));
     // Whole packets without a positive value, packets with one, and NaN, which is never above zero.
     for (int i = 0; i < count; ++i) input.push_back((i / width) % 3 == 0 ? -1.5f : static_cast<float>(i % 5) - 2.0f);
     input.back() = std::numeric_limits<float>::quiet_NaN();
@@ -196,8 +196,7 @@ std::string check_reduction(ProgramCache& programs) {
             std::vector<float> partial(input.begin() + g * size, input.begin() + (g + 1) * size);
             for (int distance = size / 2; distance > 0; distance /= 2)
                 for (int i = 0; i < distance; ++i) partial[i] += partial[i + distance];
-            if (std::memcmp(&found[g], &partial[0], sizeof(float)) != 0)
-                note_difference(trouble, "sum " + std::to_string(g), number(partial[0]), number(found[g]));
+            if (found[g] != partial[0]) note_difference(trouble, "sum " + std::to_string(g), number(partial[0]), number(found[g]));
         }
     }
     return trouble;

@@ -6,7 +6,7 @@ namespace pencil::bench {
 namespace {
 
 /// Per surfel and pencil: four texels and one cell. The surfels themselves are read once for all pencils.
-constexpr double kBytes = 4 * sizeof(float4) + sizeof(glm::ivec2);
+constexpr double pair_bytes = 4 * sizeof(float4) + sizeof(glm::ivec2);
 
 void project(benchmark::State& state, const Surfels& surfels, const std::string& what) {
     Workbench& bench = workbench();
@@ -19,7 +19,7 @@ void project(benchmark::State& state, const Surfels& surfels, const std::string&
     std::vector<int> native_visible(static_cast<std::size_t>(surfels.capacity));
     const double pairs = static_cast<double>(surfels.count) * maps.view().count;
     compare(
-        state, {product(surfels.count, "surfels", maps.view().count, "pencils"), pairs, pairs * kBytes, {what}},
+        state, {product(surfels.count, "surfels", maps.view().count, "pencils"), pairs, pairs * pair_bytes, {what}},
         [&] { project_pencils(bench.kernels, bench.on_device, surfels, bench.set, outgoing, visible, what); },
         [&] {
             native::project_pencils(bench.view(), host.view(), maps.view(), radiance.data(), {native_outgoing.data(), host.view().capacity},

@@ -13,11 +13,11 @@
 namespace pencil {
 namespace {
 
-constexpr const char* TEST_KERNELS = PENCIL_SOURCE_DIR "/tests/kernels/test_program.cl";
+constexpr const char* test_kernels = PENCIL_SOURCE_DIR "/tests/kernels/test_program.cl";
 
 class Program : public testing::Test {
 protected:
-    Launch kernel(const std::string& name, const Defines& defines = {}) { return programs.kernel(name, {TEST_KERNELS}, defines); }
+    Launch kernel(const std::string& name, const Defines& defines = {}) { return programs.kernel(name, {test_kernels}, defines); }
 
     std::string error_of(const std::function<void()>& f) {
         try {
@@ -50,10 +50,10 @@ protected:
 };
 
 TEST_F(Program, EveryItemRunsOnceAtAnySize) {
-    constexpr int CAPACITY = 1100;
+    constexpr int capacity = 1100;
     for (const std::size_t count : {1u, 7u, 8u, 9u, 64u, 1000u}) {
         for (const std::size_t local : {0u, 1u, 3u, 16u}) {
-            Buffer<int> counts(device, CAPACITY, "counts");
+            Buffer<int> counts(device, capacity, "counts");
             counts.fill_zero();
             kernel("count_visits").args(counts, static_cast<int>(count)).run(count, "counting", local);
             const std::vector<int> found = counts.read();
@@ -137,7 +137,7 @@ TEST_F(Program, UnknownNamesAreReported) {
 
 TEST_F(Program, BuildFailureTellsFileLineDeviceAndOptions) {
     const std::string file = write_file("broken.cl", "kernel void broken(global int *out)\n{\n    out[0] = no_such_variable;\n}\n");
-    const std::string message = error_of([&] { programs.kernel("broken", {TEST_KERNELS, file}, {{"TEST_STEP", "3"}}); });
+    const std::string message = error_of([&] { programs.kernel("broken", {test_kernels, file}, {{"TEST_STEP", "3"}}); });
     expect_contains(message, "broken.cl failed");
     expect_contains(message, device->info().name);
     expect_contains(message, "-cl-std=CL1.2 -Werror");
