@@ -1,7 +1,6 @@
 #include "converge/converge.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <system_error>
 #include <thread>
 
@@ -9,7 +8,6 @@
 #include "converge/methods.h"
 #include "converge/plots.h"
 #include "converge/runs.h"
-#include "converge/text.h"
 #include "scene/scene_fingerprint.h"
 #include "util/error.h"
 #include "util/output_file.h"
@@ -27,12 +25,6 @@ Identity identity_of(const Scene& scene, const ConvergeOptions& options, const D
             {"number of reflections", options.bounces < 0 ? "auto" : std::to_string(options.bounces)},
             {"device", device.name + ", " + device.driver},
             {"version", options.version}};
-}
-
-/// Processes that want to run, averaged over the last minute, ours included.
-double machine_load() {
-    double load = 0;
-    return ::getloadavg(&load, 1) == 1 ? load : 0;
 }
 
 /// Fraction of the whole experiment, by expected times.
@@ -83,13 +75,12 @@ public:
             check_identity(options_.folder, identity, points_);
             write_identity(options_.folder, identity);
             report.finished = run_missing();
-            warn_of_load(report.host_threads);
             report.truth = std::move(truth_);
             report.points = std::move(points_);
             report.methods = summarise(report.points, options_, report.truth);
             report.warnings = report.truth.warnings;
             report.warnings.insert(report.warnings.end(), warnings_.begin(), warnings_.end());
-            const std::vector<std::string> more = curve_warnings(report);
+            const std::vector<std::string> more = run_warnings(report);
             report.warnings.insert(report.warnings.end(), more.begin(), more.end());
         }
         return report;
@@ -143,22 +134,12 @@ private:
                 return false;
             }
             append_point(points_file(options_), *point);
-            load_ = std::max(load_, machine_load());
             points_.push_back(*point);
         } catch (const MemoryError& error) {
             plan_.end_ladder(task.method, task.budget);
             warnings_.push_back(task.method + " stops before " + run_flags(task.method, task.budget) + ": " + error.what());
         }
         return true;
-    }
-
-    /// Times mean little while other programs use the cores.
-    void warn_of_load(unsigned threads) {
-        const double busy = 2;  // we ourselves keep about one process per core running
-        if (load_ > busy * threads) {
-            warnings_.push_back("other programs used this machine (load " + round_text(load_) + " on " + std::to_string(threads) +
-                                " cores): times are too long and curves not comparable; measure again on an idle machine");
-        }
     }
 
     /// Time of the same run with seed 0, or of the step before.
@@ -178,7 +159,6 @@ private:
     RunPlan plan_;
     Progression progression_;
     Truth truth_;
-    double load_ = 0;  // the highest seen
     std::vector<std::string> warnings_;
 };
 

@@ -50,7 +50,8 @@ struct FloorFit {
     bool visible = false;
 };
 /// Least squares of relative residuals of error^2. `visible`: the curve does not fall at all (slope above -0.05), or the floor makes up at
-/// least half of the last error, at most 5 % more than it, and explains the points significantly better than a power law. Nothing with fewer than four points.
+/// least half of the last error, at most 5 % more than it, and explains the points significantly better than a power law. Nothing with
+/// fewer than four points.
 std::optional<FloorFit> fit_floor(const Curve& curve);
 
 }  // namespace pencil

@@ -8,8 +8,6 @@
 namespace pencil {
 namespace {
 
-constexpr double level = 1.1;  // leads below it are called level
-
 std::string value_text(const ErrorMetric& metric, double value) { return metric.percent ? percent_text(value) : round_text(value); }
 
 std::string cell(const std::string& content, const std::string& css = "") {
@@ -27,16 +25,20 @@ std::string head_row(const Report& report, const std::string& first) {
 
 std::string table(const std::string& rows) { return "<div class=\"wide\"><table>\n" + rows + "</table></div>\n"; }
 
-/// Metrics that put another method first than `ahead`.
+/// Metrics by which another method is clearly ahead of the card's.
 std::string disagreement(const Report& report, const Verdict& verdict) {
     std::string text;
     for (std::size_t i = 1; i < error_metrics().size(); ++i) {
         const ErrorMetric& metric = error_metrics()[i];
         const Verdict other = judge(curves_of(report, metric), verdict.seconds);
-        if (other.ahead >= 0 && other.ahead != verdict.ahead && other.lead >= level) {
-            text += std::string("<small>by ") + metric.title + ", " +
-                    html_text(report.methods[static_cast<std::size_t>(other.ahead)].name) + " is ahead by " + round_text(other.lead) +
-                    "</small>";
+        if (other.ahead < 0) {
+            continue;
+        }
+        const auto winner = static_cast<std::size_t>(other.ahead), ours = static_cast<std::size_t>(verdict.ahead);
+        const double lead = other.errors[ours].value / other.errors[winner].value;
+        if (lead >= level) {
+            text += std::string("<small>by ") + metric.title + ", " + html_text(report.methods[winner].name) + " is ahead of it by " +
+                    round_text(lead) + "</small>";
         }
     }
     return text;

@@ -16,8 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 const char* const header =
-    "method,budget,seed,seconds,build_seconds,rmse,rel_mse,mean_ratio,psnr_db,lab_rms,excluded_pixels,options,stages\n";
-constexpr std::size_t columns = 13;
+    "method,budget,seed,seconds,build_seconds,rmse,rel_mse,mean_ratio,psnr_db,lab_rms,excluded_pixels,load,options,stages\n";
+constexpr std::size_t columns = 14;
 
 std::string number(double value) {
     char text[32];
@@ -87,11 +87,11 @@ bool read_point(const std::string& line, RunPoint& point) {
         return false;
     }
     point.method = fields[0];
-    point.options = fields[11];
+    point.options = fields[12];
     return reads_as(fields[1], point.budget) && reads_as(fields[2], point.seed) && reads_as(fields[3], point.seconds) &&
            reads_as(fields[4], point.build_seconds) && reads_as(fields[5], point.rmse) && reads_as(fields[6], point.rel_mse) &&
            reads_as(fields[7], point.mean_ratio) && reads_as(fields[8], point.psnr) && reads_as(fields[9], point.lab_rms) &&
-           reads_as(fields[10], point.excluded_pixels) && read_stages(fields[12], point);
+           reads_as(fields[10], point.excluded_pixels) && reads_as(fields[11], point.load) && read_stages(fields[13], point);
 }
 
 [[noreturn]] void cannot_write(const fs::path& file) { throw OutputError("cannot write " + file.string() + ": " + std::strerror(errno)); }
@@ -136,7 +136,8 @@ void append_point(const fs::path& file, const RunPoint& point) {
          {point.seconds, point.build_seconds, point.rmse, point.rel_mse, point.mean_ratio, point.psnr, point.lab_rms}) {
         row += "," + number(value);
     }
-    row += "," + std::to_string(point.excluded_pixels) + "," + quoted(point.options) + "," + quoted(join_stages(point)) + "\n";
+    row += "," + std::to_string(point.excluded_pixels) + "," + number(point.load) + "," + quoted(point.options) + "," +
+           quoted(join_stages(point)) + "\n";
     errno = 0;
     std::ofstream stream(file, std::ios::binary | std::ios::app);
     stream.write(row.data(), static_cast<std::streamsize>(row.size()));

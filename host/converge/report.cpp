@@ -10,6 +10,7 @@ namespace pencil {
 namespace {
 
 constexpr double noticeable_noise = 0.1;  // relMSE of the reference over the smallest that is measured
+constexpr double busy = 2;                // load per core: our own runs keep about one process per core running
 constexpr std::size_t few_points = 5;
 constexpr double short_range = 30;  // longest over shortest time
 
@@ -29,6 +30,9 @@ std::string verdict_line(const Report& report, const std::vector<NamedCurve>& cu
     if (verdict.second < 0) {
         return line + "only " + method(verdict.ahead) + " is measured there";
     }
+    if (verdict.lead < level) {
+        return line + method(verdict.ahead) + " is level with " + method(verdict.second);
+    }
     return line + method(verdict.ahead) + " is ahead of " + method(verdict.second) + " by a factor of " + round_text(verdict.lead);
 }
 
@@ -43,8 +47,16 @@ std::vector<NamedCurve> curves_of(const Report& report, const ErrorMetric& metri
     return curves;
 }
 
-std::vector<std::string> curve_warnings(const Report& report) {
+std::vector<std::string> run_warnings(const Report& report) {
     std::vector<std::string> warnings;
+    double load = 0;
+    for (const RunPoint& point : report.points) {
+        load = std::max(load, point.load);
+    }
+    if (load > busy * std::max(report.host_threads, 1U)) {
+        warnings.push_back("other programs used this machine (load " + round_text(load) + " on " + std::to_string(report.host_threads) +
+                           " cores): times are too long and curves not comparable; measure again on an idle machine");
+    }
     double smallest = std::numeric_limits<double>::infinity();
     for (const MethodSummary& method : report.methods) {
         const Curve curve = curve_of(method, error_metrics().front());

@@ -27,8 +27,8 @@ struct Report {
     std::vector<std::string> warnings;
 };
 
-/// Warnings that only the finished curves allow: noise of the reference, few points, a short range of time.
-std::vector<std::string> curve_warnings(const Report& report);
+/// What the runs themselves tell: a busy machine, noise of the reference, few points, a short range of time.
+std::vector<std::string> run_warnings(const Report& report);
 
 /// Curves of one metric, the path tracer's first.
 std::vector<NamedCurve> curves_of(const Report& report, const ErrorMetric& metric);

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 
 #include "compare/metrics.h"
 #include "converge/methods.h"
@@ -52,6 +53,12 @@ bool trace_run(RunPoint& point, std::vector<float>& rgb, const Scene& scene, con
     point.stages.emplace_back("path tracing", traced.seconds);
     rgb = std::move(traced.rgb);
     return !traced.interrupted;
+}
+
+/// Over the last minute.
+double machine_load() {
+    double load = 0;
+    return ::getloadavg(&load, 1) == 1 ? load : 0;
 }
 
 void measure_run(RunPoint& point, const std::vector<float>& rgb, const Truth& truth) {
@@ -105,6 +112,7 @@ std::optional<RunPoint> run_task(const Task& task, const Scene& scene, const Con
     if (!finished) {
         return {};
     }
+    point.load = machine_load();
     measure_run(point, rgb, truth);
     write_image(image_file(options, task.method, task.budget, task.seed), {options.width, options.height, {{"", 3, rgb.data()}}},
                 {{"Software", "pencil " + options.version},

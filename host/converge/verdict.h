@@ -8,6 +8,9 @@
 
 namespace pencil {
 
+/// Leads below it are called level.
+constexpr double level = 1.1;
+
 struct NamedCurve {
     std::string name;
     Curve curve;

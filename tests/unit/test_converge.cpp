@@ -149,6 +149,7 @@ TEST_F(ConvergeFolder, PointsComeBack) {
     RunPoint first = point("sets", 3, 18446744073709551615U, 0.1234567890123456789, 1e-7), second = point("thesis", 0, 1, 2.5);
     first.options = R"(--pencils 27, "quoted")";
     first.excluded_pixels = 5;
+    first.load = 1.25;
     second.psnr = INFINITY;
     append_point(file, first);
     append_point(file, second);
@@ -159,6 +160,7 @@ TEST_F(ConvergeFolder, PointsComeBack) {
     EXPECT_EQ(points[0].rel_mse, first.rel_mse);
     EXPECT_EQ(points[0].options, first.options);
     EXPECT_EQ(points[0].excluded_pixels, 5U);
+    EXPECT_EQ(points[0].load, 1.25);
     EXPECT_EQ(points[0].stages, first.stages);
     EXPECT_EQ(points[1].psnr, INFINITY);
     EXPECT_EQ(points[1].method, "thesis");
@@ -332,16 +334,32 @@ TEST(Report, PageSaysWhoIsAhead) {
     }
 }
 
+TEST(Report, CardsNameTheMetricsThatDisagree) {
+    Report report = small_report();
+    EXPECT_EQ(verdict_cards(report).find("by RMSE"), std::string::npos);
+    for (RunPoint& run : report.points) {
+        run.rmse = run.method == "sets" ? 0.01 : 0.04;
+    }
+    report.methods = summarise(report.points, report.options, report.truth);
+    EXPECT_NE(verdict_cards(report).find("by RMSE, sets is ahead of it by 4"), std::string::npos) << verdict_cards(report);
+}
+
 TEST(Report, WarnsOfWhatTheCurvesDoNotShow) {
     Report report = small_report();
-    EXPECT_TRUE(curve_warnings(report).empty());
+    EXPECT_TRUE(run_warnings(report).empty());
     report.truth.noise_rel_mse = 1e-4;  // of 1e-4 measured
-    ASSERT_EQ(curve_warnings(report).size(), 1U);
-    EXPECT_NE(curve_warnings(report)[0].find("noise of the reference"), std::string::npos);
+    ASSERT_EQ(run_warnings(report).size(), 1U);
+    EXPECT_NE(run_warnings(report)[0].find("noise of the reference"), std::string::npos);
     report.truth.noise_rel_mse.reset();
     report.methods[1].budgets.resize(3);
-    ASSERT_EQ(curve_warnings(report).size(), 1U);
-    EXPECT_NE(curve_warnings(report)[0].find("sets has 3 points"), std::string::npos);
+    ASSERT_EQ(run_warnings(report).size(), 1U);
+    EXPECT_NE(run_warnings(report)[0].find("sets has 3 points"), std::string::npos);
+    report.finished = false;
+    EXPECT_TRUE(run_warnings(report).empty());
+    report.host_threads = 2;
+    report.points[3].load = 17;
+    ASSERT_EQ(run_warnings(report).size(), 1U);
+    EXPECT_NE(run_warnings(report)[0].find("load 17 on 2 cores"), std::string::npos);
 }
 
 TEST(Text, NumbersAreShort) {
