@@ -7,9 +7,9 @@ namespace pencil {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
+constexpr double pi = 3.14159265358979323846;
 
-double sinc(double x) { return x == 0 ? 1.0 : std::sin(kPi * x) / (kPi * x); }
+double sinc(double x) { return x == 0 ? 1.0 : std::sin(pi * x) / (pi * x); }
 
 /// Mitchell and Netravali 1988, on [-2, 2].
 double mitchell(double x, double b, double c) {
