@@ -40,8 +40,9 @@ void check_identity(const std::filesystem::path& folder, const Identity& identit
     }
     for (const auto& [key, value] : identity) {
         if (!points.empty() && old.contains(key) && old[key] != Json(value)) {
-            throw UsageError(folder.string() + " holds runs with another " + key + ": " + old[key].dump() + " there, \"" + value +
-                             "\" now" + advice);
+            std::string message = folder.string();
+            message.append(" holds runs with another ").append(key).append(": ").append(old[key].dump()).append(" there, \"");
+            throw UsageError(message.append(value).append("\" now").append(advice));
         }
     }
     const auto changed = [](const RunPoint& point) {

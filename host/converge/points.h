@@ -17,6 +17,7 @@ struct RunPoint {
     double build_seconds = 0;  // of kernels
     double rmse = 0, rel_mse = 0, mean_ratio = 0, psnr = 0, lab_rms = 0;
     std::uint64_t excluded_pixels = 0;                   // not finite
+    double load = 0;                                     // processes that wanted to run in the machine, ours included; 0: not known
     std::string options;                                 // that make this run, as on the command line
     std::vector<std::pair<std::string, double>> stages;  // name and wall seconds, in order
 };
