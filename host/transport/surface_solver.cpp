@@ -157,7 +157,7 @@ void SurfaceSolver::link() {
 bool SurfaceSolver::fill() {
     const std::vector<glm::ivec4> links = links_.read();
     std::vector<bool> linked(links.size());
-    for (std::size_t i = 0; i < links.size(); ++i) linked[i] = links[i].x >= 0;
+    for (std::size_t i = 0; i < links.size(); ++i) linked[i] = links[i].x >= 0 && links[i].y != LINK_LAST_RESORT;
     const int before = world_.count;
     cells_.clear();
     place_surface_pencils(kernels_, world_surfels_, choose(world_surfels_, linked, fill_spacing * spacing_), reach * spacing_, world_);

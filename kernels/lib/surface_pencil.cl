@@ -10,6 +10,13 @@
 /// Weight of the turn of the normal against the step in position.
 #define REUSE_TURN 0.5f
 
+/// True if nothing at the horizon of the pencil lies between it and the point at `step` from it.
+inline bool clear_horizon(global const SurfacePencil *p, float3 step, float distance) {
+    float3 t, b;
+    tangent_frame(p->normal.xyz, &t, &b);
+    return distance < p->ring[ring_sector(dot(step, t), dot(step, b))];
+}
+
 /// Distance from the pencil to x if it is at most `most` and the pencil's irradiance may be used there, INFINITY otherwise.
 inline float reuse_distance(global const SurfacePencil *p, float3 x, float3 n, float most) {
     float3 step = x - p->position.xyz;
@@ -20,9 +27,7 @@ inline float reuse_distance(global const SurfacePencil *p, float3 x, float3 n, f
     float distance = sqrt(square);
     if (distance < REUSE_TINY) return 0.0f;
     if (fabs(dot(step, normal + n)) > 2.0f * REUSE_MOST_SLOPE * distance) return INFINITY;
-    float3 t, b;
-    tangent_frame(normal, &t, &b);
-    return distance < p->ring[ring_sector(dot(step, t), dot(step, b))] ? distance : INFINITY;
+    return clear_horizon(p, step, distance) ? distance : INFINITY;
 }
 
 /// Ward's estimate of the relative change of irradiance from the pencil to a point at `distance` from it with normal n.
