@@ -100,7 +100,9 @@ void add_solver_options(CLI::App& app, RenderCommand& command) {
         [&options](const std::string& text) { options.seconds = parse_real(text, 0, false, 1e6); });
     add(app, "--target-error", "Surface method: stop at this estimated relMSE (above 0)", "E", format_real(options.target_error),
         [&options](const std::string& text) { options.target_error = parse_real(text, 0, false, 1e6); });
-    add_integer(app, "--pencils", options.pencils, 1, many, "Pencils of the first set");
+    add(app, "--pencils", "Pencils of the first set; surface method: of the world set of the first pass [1 to 1048576]", "N",
+        std::to_string(default_pencils(Method::line)) + ", surface: " + std::to_string(default_pencils(Method::surface)),
+        [&command](const std::string& text) { command.pencils = static_cast<int>(parse_integer(text, 1, 1 << 20)); });
     add(app, "--decay", "Size of each further set relative to the last (above 0, at most 1)", "X", format_real(options.decay),
         [&options](const std::string& text) { options.decay = parse_real(text, 0, false, 1); });
     add(app, "--bounces", "Reflections at most, direct light being the first: auto or 0 to 1000; the scene's max_depth if absent", "K", "",
@@ -222,6 +224,7 @@ const std::vector<std::string>& all_method_names() {
     return names;
 }
 
+std::string to_string(Method value) { return methods[static_cast<std::size_t>(value)]; }
 std::string to_string(Initial value) { return initials[static_cast<std::size_t>(value)]; }
 std::string to_string(Placement value) { return placements[static_cast<std::size_t>(value)]; }
 std::string to_string(Weights value) { return weightings[static_cast<std::size_t>(value)]; }

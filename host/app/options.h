@@ -24,7 +24,8 @@ struct RenderCommand {
     SceneDefines defines;
     std::vector<std::filesystem::path> outputs;
     std::vector<std::string> aovs;
-    RenderOptions options;       // all but `bounces`
+    RenderOptions options;       // all but `pencils` and `bounces`
+    std::optional<int> pencils;  // absent: what suits the method
     std::optional<int> bounces;  // -1: auto; absent: what the scene says
     std::string device;
     std::filesystem::path stats;  // empty: none
@@ -87,6 +88,7 @@ const std::vector<std::string>& all_reference_aovs();
 const std::vector<std::string>& all_method_names();
 
 /// As the command line spells them.
+std::string to_string(Method value);
 std::string to_string(Initial value);
 std::string to_string(Placement value);
 std::string to_string(Weights value);

@@ -92,6 +92,7 @@ ExitCode run_render(const RenderCommand& command) {
 
     report.options = command.options;
     report.options.bounces = reflections(command.bounces, scene);
+    report.options.pencils = command.pencils.value_or(default_pencils(command.options.method));
     const bool resized = command.options.width > 0;
     report.width = report.options.width = resized ? command.options.width : scene.sensor.width;
     report.height = report.options.height = resized ? command.options.height : scene.sensor.height;

@@ -3,6 +3,7 @@
 
 #include <sys/resource.h>
 
+#include <cmath>
 #include <iomanip>
 #include <ostream>
 
@@ -29,6 +30,13 @@ void print_stage(std::ostream& out, const StageTime& stage) {
 std::string device_line(const DeviceInfo& device) { return printable(device.name + " (" + device.platform + "), driver " + device.driver); }
 
 std::string bounce_line(const RenderStats& stats) {
+    if (stats.passes > 0) {
+        const bool known = std::isfinite(stats.estimated_error);
+        return "to the end, residual " + format_short(stats.residual) + "\npasses   " + std::to_string(stats.passes) +
+               ", estimated relMSE " + (known ? format_short(stats.estimated_error) : "unknown with one pass") +
+               ", pencils: " + std::to_string(stats.world_pencils) + " in the world, " + std::to_string(stats.film_pencils) +
+               " for the film";
+    }
     std::string line = std::to_string(stats.bounces.size()) + ", residual " + format_short(stats.residual);
     return line + (stats.tail_closed ? ", added as a geometric tail" : "");
 }
@@ -82,6 +90,9 @@ Metadata image_metadata(const RunReport& report, const RenderCommand& command, b
         {"pencil:device", report.device.name},
         {"pencil:driver", report.device.platform + " " + report.device.driver},
         {"pencil:packetWidth", report.packet_width},  // the order of float additions depends on it
+        {"pencil:method", to_string(options.method)},
+        {"pencil:time", options.seconds},
+        {"pencil:targetError", options.target_error},
         {"pencil:pencils", options.pencils},
         {"pencil:decay", options.decay},
         {"pencil:bounces", options.bounces < 0 ? "auto" : std::to_string(options.bounces)},

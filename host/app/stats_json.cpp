@@ -1,5 +1,6 @@
 // --stats. The keys are a contract with programs that read them: `schema` counts incompatible changes, new keys may appear without.
 // Sizes are in bytes, times in seconds; a number that is not finite becomes null.
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/run_report.h"
@@ -14,7 +15,10 @@ constexpr int schema = 1;
 
 Json options_json(const RunReport& report, const RenderCommand& command) {
     const RenderOptions& options = report.options;
-    Json json{{"pencils", options.pencils},
+    Json json{{"method", to_string(options.method)},
+              {"time", options.seconds > 0 ? Json(options.seconds) : Json()},
+              {"target_error", options.target_error},
+              {"pencils", options.pencils},
               {"decay", options.decay},
               {"bounces", options.bounces < 0 ? Json("auto") : Json(options.bounces)},
               {"map", options.map},
@@ -96,6 +100,10 @@ void write_stats(const std::filesystem::path& file, const RunReport& report, con
                     {"kernel_build_seconds", report.kernel_build_seconds},
                     {"total_wall_seconds", report.total_wall_seconds},
                     {"bounces", bounces_json(stats)},
+                    {"passes", stats.passes},
+                    {"estimated_relmse", std::isfinite(stats.estimated_error) ? Json(stats.estimated_error) : Json()},
+                    {"world_pencils", stats.world_pencils},
+                    {"film_pencils", stats.film_pencils},
                     {"residual", stats.residual},
                     {"tail_closed", stats.tail_closed},
                     {"triangles", stats.triangles},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 
 namespace pencil {
@@ -10,6 +11,7 @@ namespace {
 
 constexpr double growth = 1.5;  // of the number of pencils from step to step
 constexpr int first_pencils = 8;
+constexpr double first_seconds = 0.25;  // doubled from step to step
 
 /// A ladder of pencils. Light samples grow with them: with a fixed number, the error of direct light would be a floor of its own.
 Budget pencil_budget(int step, RenderOptions base, const std::string& flags) {
@@ -23,6 +25,17 @@ MeasuredMethod pencil_method(const std::string& name, const std::string& summary
     return {name, summary, [base, flags](int step) { return pencil_budget(step, base, flags); }};
 }
 
+/// A ladder of time.
+Budget surface_budget(int step) {
+    RenderOptions options;
+    options.method = Method::surface;
+    options.pencils = default_pencils(Method::surface);
+    options.seconds = first_seconds * std::exp2(step);
+    std::ostringstream flags;
+    flags << "--method surface --time " << options.seconds;
+    return {options, flags.str()};
+}
+
 std::vector<MeasuredMethod> make_methods() {
     const RenderOptions standard;
     RenderOptions fixed, thesis;
@@ -32,7 +45,9 @@ std::vector<MeasuredMethod> make_methods() {
                           standard, ""),
             pencil_method("fixed", "one set of pencils for all bounces, consistent weights", fixed, " --iterate fixed"),
             pencil_method("thesis", "a new, smaller set for each bounce, weights with the normaliser printed in the thesis", thesis,
-                          " --weights thesis")};
+                          " --weights thesis"),
+            {"surface", "pencils on surfaces gather indirect light for the film and for each other (pencil render --method surface)",
+             surface_budget}};
 }
 
 }  // namespace

@@ -25,10 +25,14 @@ std::vector<std::string> explain(const Scene& scene, const RenderOptions& option
     std::vector<std::string> lines;
     lines.push_back("packets of " + std::to_string(device.packet_width()) + " surfels per work-item on " + device.info().name);
     lines.push_back(light_sentence(scene, forms, options.initial));
-    lines.push_back(options.weights == Weights::thesis ? "weights: the printed normaliser of eq. (5.33), which is not consistent"
-                                                       : "weights: self-normalised 1/D, beta from the number of visible pencils");
-    lines.push_back(options.iterate == Iterate::fixed ? "iteration: one fixed set; its geometry maps and density are made once"
-                                                      : "iteration: a new, smaller set for each bounce");
+    if (options.method == Method::surface) {
+        lines.push_back("indirect light: pencils on surfaces; left out: octahedral maps of pencils, density, weights, shrinking sets");
+    } else {
+        lines.push_back(options.weights == Weights::thesis ? "weights: the printed normaliser of eq. (5.33), which is not consistent"
+                                                           : "weights: self-normalised 1/D, beta from the number of visible pencils");
+        lines.push_back(options.iterate == Iterate::fixed ? "iteration: one fixed set; its geometry maps and density are made once"
+                                                          : "iteration: a new, smaller set for each bounce");
+    }
     if (!features.smooth)
         lines.push_back("left out: shading normals (no vertex normals in the scene): buffer, interpolation and side test");
     if (options.bounces == 0) lines.push_back("left out: light samples and pencils (emission only)");

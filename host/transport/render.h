@@ -39,6 +39,9 @@ struct RenderOptions {
     int film_samples = 16;  // visibility samples per pixel, 1 to 64
 };
 
+/// As many as a first picture needs.
+inline int default_pencils(Method method) { return method == Method::line ? 128 : 800; }
+
 struct StageTime {
     std::string name;
     double wall_seconds = 0;
