@@ -73,6 +73,7 @@ TEST(TraceHemispheres, DirectionsFollowTheCosine) {
     for (const int n : {4, 8, 16, 32}) {
         const Traced t = trace(kernels, scene, placed, n);
         const std::vector<float> surfels = t.surfels.data.read();
+        double all = 0;
         for (std::size_t p = 0; p < placed.size(); ++p) {
             double cosine = 0, least = 1;
             dvec3 tangential(0);
@@ -84,11 +85,13 @@ TEST(TraceHemispheres, DirectionsFollowTheCosine) {
                 least = std::min(least, glm::dot(d, normal));
                 tangential += (d - glm::dot(d, normal) * normal) / static_cast<double>(n * n);
             }
-            // Stratified: the error of a mean over n * n texels is far below 1 / n.
-            EXPECT_NEAR(cosine, 2.0 / 3.0, 0.4 / n) << "n = " << n;
+            // The cosine has the mean 2/3 and the variance 1/18; strata only lower the error of n * n samples.
+            EXPECT_NEAR(cosine, 2.0 / 3.0, 3.0 * std::sqrt(1.0 / 18.0) / n) << "n = " << n;
+            all += cosine / static_cast<double>(placed.size());
             EXPECT_LT(glm::length(tangential), 0.6 / n) << "n = " << n;
             EXPECT_GE(least, -1e-4);
         }
+        EXPECT_NEAR(all, 2.0 / 3.0, 3.0 * std::sqrt(1.0 / 18.0 / static_cast<double>(placed.size())) / n) << "mean of all, n = " << n;
     }
 }
 
