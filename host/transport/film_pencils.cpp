@@ -14,7 +14,7 @@ FilmPencils::FilmPencils(Kernels& kernels, const Film& film, const FilmLattice& 
       first_(film.first_surfel().read()),
       at_(counts_.size(), -1),
       pencil_at_(kernels.device(), at_, "film pencils by pixel"),
-      pencils_(kernels.device(), static_cast<int>(counts_.size()), lattice.map) {
+      pencils_(kernels.device(), 1, lattice.map) {
     std::vector<int> pixels;
     const int width = film.width(), height = film.height(), step = lattice.coarsest;
     for (int y = 0;; y = std::min(y + step, height - 1)) {

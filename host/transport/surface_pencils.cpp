@@ -46,9 +46,18 @@ DeviceGrid::DeviceGrid(const std::shared_ptr<Device>& device, const std::vector<
     entries = Buffer<int>(device, entry, "entries of the grid");
 }
 
+void SurfacePencils::reserve(const std::shared_ptr<Device>& device, std::size_t more) {
+    const std::size_t needed = static_cast<std::size_t>(count) + more;
+    if (needed <= data.size()) return;
+    Buffer<SurfacePencil> larger(device, std::max(needed, 2 * data.size()), "surface pencils");
+    if (count > 0) larger.copy_from(data, 0, 0, static_cast<std::size_t>(count));
+    data = std::move(larger);
+}
+
 void place_surface_pencils(Kernels& kernels, const Surfels& surfels, const std::vector<int>& chosen, float radius, SurfacePencils& pencils,
                            float spacing) {
     if (chosen.empty()) return;
+    pencils.reserve(kernels.device(), chosen.size());
     const Buffer<int> ids(kernels.device(), chosen, "chosen surfels");
     const int count = static_cast<int>(chosen.size());
     kernels.get("place_surface_pencils")

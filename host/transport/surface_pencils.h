@@ -21,9 +21,10 @@ struct DeviceBvh {
 /// Pencils and room for more; maps are not kept, only their sums.
 struct SurfacePencils {
     SurfacePencils() = default;
-    SurfacePencils(const std::shared_ptr<Device>& device, int most, int map_size)
-        : n(map_size), data(device, static_cast<std::size_t>(most), "surface pencils") {}
-    int capacity() const { return static_cast<int>(data.size()); }
+    SurfacePencils(const std::shared_ptr<Device>& device, int room, int map_size)
+        : n(map_size), data(device, static_cast<std::size_t>(room), "surface pencils") {}
+    /// Makes room for `more` pencils behind the present ones.
+    void reserve(const std::shared_ptr<Device>& device, std::size_t more);
     int texels() const { return n * n; }
 
     int count = 0;

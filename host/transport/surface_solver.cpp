@@ -18,6 +18,8 @@ constexpr float alike = 0.7F;
 /// A pencil is used up to this many spacings away.
 constexpr float reach = 1.4F;
 constexpr int most_rounds = 8;
+/// The world set has at most this many times the pencils asked for: small things in large rooms need more.
+constexpr int most_per_wish = 6;
 constexpr int most_iterations = 512;
 /// Width of the maps of the world set: they are read through the maps of film pencils only.
 constexpr int world_map = 8;
@@ -61,7 +63,7 @@ SurfaceSolver::SurfaceSolver(Kernels& kernels, const DeviceScene& scene, const F
 
 /// Surfels not `covered` already that no placed pencil is near to, thinned to `spacing`; they count as placed.
 std::vector<int> SurfaceSolver::choose(const Surfels& surfels, const std::vector<bool>& skip, float spacing) {
-    const int most = world_.capacity() - world_.count;
+    const int most = most_per_wish * set_.pencils - world_.count;
     const auto field = [&](int f) {
         return surfels.data.read(static_cast<std::size_t>(f) * static_cast<std::size_t>(surfels.capacity),
                                  static_cast<std::size_t>(surfels.count));
@@ -70,7 +72,7 @@ std::vector<int> SurfaceSolver::choose(const Surfels& surfels, const std::vector
                              nz = field(SURFEL_NZ);
     std::vector<int> chosen;
     const auto key = [&](float v) { return static_cast<int>(std::floor(v / spacing)); };
-    const std::size_t size = x.size(), stride = 7919;
+    const std::size_t size = x.size(), stride = size % 7919 == 0 ? 1 : 7919;  // a prime: all are visited, neighbours far apart
     for (std::size_t k = 0, i = 0; k < size && static_cast<int>(chosen.size()) < most; ++k, i = (i + stride) % size) {
         const glm::vec3 p(x[i], y[i], z[i]), n(nx[i], ny[i], nz[i]);
         if (n == glm::vec3(0) || (!skip.empty() && skip[i])) continue;
@@ -112,15 +114,15 @@ void SurfaceSolver::gather(SurfacePencils& pencils, int first, int count, Sent s
         outgoing_.fill_zero();
         if (sent.emission) emit_surfels(kernels_, scene_, surfels_, true, outgoing_);
         if (sent.direct && lights_.maps.count > 0)
-            light_surfels(kernels_, scene_, surfels_, lights_, outgoing_, "direct light to surface pencils", set_.light_stride,
-                          pencils.texels());
+            light_surfels(kernels_, scene_, surfels_, lights_, outgoing_, "direct light to surface pencils", set_.light_stride, light_group,
+                          seed_ ^ static_cast<uint>(at));
         if (sent.bounces) project_surface_pencils(kernels_, surfels_, world_, grid_, outgoing_);
         sum_hemispheres(kernels_, outgoing_, distances_, surfels_.capacity, at, part, pencils);
     }
 }
 
 void SurfaceSolver::solve(SurfacePencils& seeds, int orders, double tolerance) {
-    world_ = SurfacePencils(kernels_.device(), 6 * set_.pencils, world_map);
+    world_ = SurfacePencils(kernels_.device(), set_.pencils, world_map);
     direct_ = orders < 0 || orders >= 2;
     clock_.run("world pencils", [&] {
         reserve(seeds.count * seeds.texels());
