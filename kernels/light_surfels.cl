@@ -1,22 +1,26 @@
 // Direct light of surfels from the light samples (thesis alg. 6.2), each with its own geometry map for visibility.
 
-/// Irradiance of one packet from sample i, added to rgb.
-inline void add_light_sample(const SurfelPacket *s, const VisibilityMap *map, global const LightSample *sample, float4 cop, int i,
-                             vfloat *rgb) {
-    float4 normal = sample->normal, emission = sample->emission;
+/// Aims one packet at sample i; the weight is the geometry term, with one division for all of it.
+inline void aim_at_sample(const SurfelPacket *s, const VisibilityMap *map, global const LightSample *sample, float4 cop, int i,
+                          Aimed *aimed) {
+    float4 normal = sample->normal;
+    bool area = sample->position.w != 0.0f;
     vfloat vx = s->x - cop.x, vy = s->y - cop.y, vz = s->z - cop.z;
     vfloat weight = packet_cosine_towards(s, vx, vy, vz);
     vfloat rr = fma(vx, vx, fma(vy, vy, vz * vz));
-    vfloat inverse = rsqrt(rr);
-    weight *= inverse;
-    if (sample->position.w != 0.0f)
-        weight *= fmax(fma((vfloat)(normal.x), vx, fma((vfloat)(normal.y), vy, normal.z * vz)), (vfloat)(0.0f)) * inverse;
-    weight /= rr + normal.w;
-    vint faces = PACKET_MASK(weight > 0.0f);
-    if (!PACKET_ANY(faces)) return;
-    Footprint f = packet_footprint(vx, vy, vz, map->n);
-    vint lit = packet_visible(s, map, f, i, cop, faces);
-    weight = select((vfloat)(0.0f), weight, lit);
+    if (area) weight *= fmax(fma((vfloat)(normal.x), vx, fma((vfloat)(normal.y), vy, normal.z * vz)), (vfloat)(0.0f));
+    aimed->faces = PACKET_BITS(PACKET_MASK(weight > 0.0f));
+    if (!aimed->faces) return;
+    aimed->weight = weight / ((area ? rr : rr * packet_rsqrt(rr)) * (rr + normal.w));
+    aim_packet(map, i, vx, vy, vz, aimed);
+}
+
+/// Irradiance of one packet from sample i, added to rgb.
+inline void add_light_sample(const SurfelPacket *s, const VisibilityMap *map, float4 emission, float4 cop, int i, const Aimed *aimed,
+                             vfloat *rgb) {
+    int lit = packet_visible(s, map, aimed, i, cop);
+    if (!lit) return;
+    vfloat weight = select((vfloat)(0.0f), aimed->weight, PACKET_FROM_BITS(lit));
     rgb[0] = fma(weight, (vfloat)(emission.x), rgb[0]);
     rgb[1] = fma(weight, (vfloat)(emission.y), rgb[1]);
     rgb[2] = fma(weight, (vfloat)(emission.z), rgb[2]);
@@ -44,7 +48,9 @@ kernel void light_surfels(global const float *surfels, int capacity, int surfel_
     for (int i = 0; i < sample_count; ++i) {
         if (i / 3 % stride != phase) continue;
         float4 cop = (float4)(cops[i].xyz, 0.0f);
-        for (int p = 0; p < PENCIL_BLOCK; ++p) add_light_sample(packets + p, &map, samples + i, cop, i, rgb[p]);
+        Aimed aimed[PENCIL_BLOCK];
+        for (int p = 0; p < PENCIL_BLOCK; ++p) aim_at_sample(packets + p, &map, samples + i, cop, i, aimed + p);
+        for (int p = 0; p < PENCIL_BLOCK; ++p) add_light_sample(packets + p, &map, samples[i].emission, cop, i, aimed + p, rgb[p]);
     }
     float scale = stride;
     for (int p = 0; p < PENCIL_BLOCK; ++p)

@@ -74,10 +74,12 @@ kernel void self_test_integers(global const uint *in, global uint *out) {
     out[9] = (uint)((wide * 0x5851f42d4c957f2dul) >> 40);
 }
 
-/// Load, compare, select, convert and store whole packets.
+/// Load, compare, select, convert, pack and store whole packets.
 /// launch : 1-D, one work-item per packet          in : `count` floats, a multiple of PENCIL_WIDTH
 /// out    : values: the square where the input is above zero, else -1; lanes: the lane; any: 1 where the packet has a value above zero
-kernel void self_test_packets(global const float *in, int count, global float *values, global int *lanes, global int *any_positive) {
+///          packed: the lanes of the packet whose input is above zero one after the other, then -1
+kernel void self_test_packets(global const float *in, int count, global float *values, global int *lanes, global int *any_positive,
+                              global int *packed) {
     int packet = get_global_id(0);
     if (packet >= count / PENCIL_WIDTH) return;
     int first = packet * PENCIL_WIDTH;
@@ -86,6 +88,9 @@ kernel void self_test_packets(global const float *in, int count, global float *v
     PACKET_STORE(select((vfloat)(-1.0f), v * v, positive), values + first);
     PACKET_STORE(PACKET_TO_INT(PACKET_TO_FLOAT(PACKET_LANES)), lanes + first);
     any_positive[packet] = PACKET_ANY(positive) ? 1 : 0;
+    int list[PENCIL_WIDTH], bits = PACKET_BITS(positive);
+    packet_store_packed(PACKET_LANES, bits, list);
+    for (int l = 0; l < PENCIL_WIDTH; ++l) packed[first + l] = l < popcount(bits) ? list[l] : -1;
 }
 
 /// Sum in a fixed order: one value per work-item, then pairs at half the distance until one is left.

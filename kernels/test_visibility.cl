@@ -1,5 +1,12 @@
 // Which pencils each surfel sees, one bit each: V(x, c_i) of thesis eq. (5.17) for a whole set.
 
+/// Aims one packet at pencil i.
+inline void aim_at_centre(const SurfelPacket *s, const VisibilityMap *map, float4 cop, int i, Aimed *aimed) {
+    vfloat vx = s->x - cop.x, vy = s->y - cop.y, vz = s->z - cop.z;
+    aimed->faces = PACKET_BITS(PACKET_MASK(packet_cosine_towards(s, vx, vy, vz) > 0.0f));
+    if (aimed->faces) aim_packet(map, i, vx, vy, vz, aimed);
+}
+
 /// launch : 1-D, one work-item per block of PENCIL_BLOCK packets of PENCIL_WIDTH surfels
 /// in     : surfels; cops[pencil_count]; cells, groups, hits: tiles of n x n of those pencils, folded
 /// out    : mask[word][capacity]: bit i % 32 of word i / 32 is set if pencil i sees the surfel from the side that is shaded
@@ -16,15 +23,10 @@ kernel void test_visibility(global const float *surfels, int capacity, int surfe
         for (int p = 0; p < PENCIL_BLOCK; ++p) bits[p] = 0;
         for (int i = 32 * word; i < min(32 * word + 32, pencil_count); ++i) {
             float4 cop = (float4)(cops[i].xyz, 0.0f);
-            for (int p = 0; p < PENCIL_BLOCK; ++p) {
-                const SurfelPacket *s = packets + p;
-                vfloat vx = s->x - cop.x, vy = s->y - cop.y, vz = s->z - cop.z;
-                vint faces = PACKET_MASK(packet_cosine_towards(s, vx, vy, vz) > 0.0f);
-                if (!PACKET_ANY(faces)) continue;
-                Footprint f = packet_footprint(vx, vy, vz, n);
-                vint seen = packet_visible(s, &map, f, i, cop, faces);
-                bits[p] |= seen & (int)(1u << (i % 32));
-            }
+            Aimed aimed[PENCIL_BLOCK];
+            for (int p = 0; p < PENCIL_BLOCK; ++p) aim_at_centre(packets + p, &map, cop, i, aimed + p);
+            for (int p = 0; p < PENCIL_BLOCK; ++p)
+                bits[p] |= PACKET_FROM_BITS(packet_visible(packets + p, &map, aimed + p, i, cop)) & (int)(1u << (i % 32));
         }
         for (int p = 0; p < PENCIL_BLOCK; ++p)
             PACKET_STORE(bits[p], (global int *)mask + (size_t)word * capacity + first + p * PENCIL_WIDTH);

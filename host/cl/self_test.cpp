@@ -1,6 +1,7 @@
 // The host's side of kernels/self_test.cl: inputs, expected answers and how far a device may be off.
 #include "cl/self_test.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -156,9 +157,10 @@ std::string check_packets(ProgramCache& programs) {
     const Buffer<float> in(programs.device(), input, "self-test input");
     Buffer<float> values(programs.device(), count, "self-test packets");
     Buffer<int> lanes(programs.device(), count, "self-test lanes"), any(programs.device(), packets, "self-test any");
-    self_test_kernel(programs, "self_test_packets").args(in, count, values, lanes, any).run(packets, "self-test packets");
+    Buffer<int> packed(programs.device(), count, "self-test packed lanes");
+    self_test_kernel(programs, "self_test_packets").args(in, count, values, lanes, any, packed).run(packets, "self-test packets");
     const std::vector<float> found = values.read();
-    const std::vector<int> found_lanes = lanes.read(), found_any = any.read();
+    const std::vector<int> found_lanes = lanes.read(), found_any = any.read(), found_packed = packed.read();
     std::string trouble;
     for (int i = 0; i < count && trouble.empty(); ++i) {
         const float expected = input[i] > 0 ? input[i] * input[i] : -1.0f;
@@ -167,10 +169,15 @@ std::string check_packets(ProgramCache& programs) {
             note_difference(trouble, "lane of " + std::to_string(i), std::to_string(i % width), std::to_string(found_lanes[i]));
     }
     for (int p = 0; p < packets && trouble.empty(); ++p) {
-        int expected = 0;
-        for (int i = p * width; i < (p + 1) * width; ++i) expected |= input[i] > 0;
-        if (found_any[p] != expected)
-            note_difference(trouble, "any of packet " + std::to_string(p), std::to_string(expected), std::to_string(found_any[p]));
+        std::vector<int> expected;
+        for (int l = 0; l < width; ++l)
+            if (input[p * width + l] > 0) expected.push_back(l);
+        const int any_expected = expected.empty() ? 0 : 1;
+        if (found_any[p] != any_expected)
+            note_difference(trouble, "any of packet " + std::to_string(p), std::to_string(any_expected), std::to_string(found_any[p]));
+        expected.resize(width, -1);
+        if (!std::equal(expected.begin(), expected.end(), found_packed.begin() + p * width))
+            note_difference(trouble, "lanes above zero of packet " + std::to_string(p), "them in order", "others");
     }
     return trouble;
 }

@@ -31,4 +31,4 @@ inline Footprint packet_footprint(vfloat vx, vfloat vy, vfloat vz, int n) {
 }
 
 /// First texel of the footprint of lane l; -1 is the gutter.
-inline int2 footprint_corner(Footprint f, int l) { return (int2)(LANE_INT(f.x, l), LANE_INT(f.y, l)) - PENCIL_GUTTER; }
+inline int2 footprint_corner(const Footprint *f, int l) { return (int2)(LANE_INT(f->x, l), LANE_INT(f->y, l)) - PENCIL_GUTTER; }

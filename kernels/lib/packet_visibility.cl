@@ -1,119 +1,134 @@
 // Visibility of packets of surfels from one centre, by the rules of visibility.cl. Cells settle most lanes; what they leave open is settled
 // for all lanes at once that share a blocker, then for all lanes at once that share the triangles about their footprints: neighbouring
-// lanes mostly do. Needs packet.cl, surfel_packet.cl, footprint.cl, visibility.cl.
+// lanes mostly do. Sets of lanes are bits of an int here. Needs packet.cl, surfel_packet.cl, footprint.cl, visibility.cl.
+
+/// A packet of surfels as a tile meets it. A block of packets is aimed before the first is tested, so that the memory which the tests need
+/// is on its way: the maps of a set are larger than the near caches.
+typedef struct Aimed {
+    Footprint f;    // index: from the first texel of all tiles
+    vfloat weight;  // of what the surfels receive from there; the caller's
+    int faces;      // lanes that face the centre
+} Aimed;
+
+/// Footprints in `tile` of the directions v. Neighbouring lanes mostly share the cache line of their cells.
+inline void aim_packet(const VisibilityMap *map, int tile, vfloat vx, vfloat vy, vfloat vz, Aimed *aimed) {
+    aimed->f = packet_footprint(vx, vy, vz, map->n);
+    aimed->f.index += tile * PENCIL_TILE_TEXELS(map->n);
+#pragma unroll
+    for (int l = 0; l < PENCIL_WIDTH; l += 2) PREFETCH(map->cells + LANE_INT(aimed->f.index, l));
+}
 
 /// Lanes that lie behind `plane` as seen from `cop`.
-inline vint packet_behind(const SurfelPacket *s, float4 plane, float4 cop) {
+inline int packet_behind(const SurfelPacket *s, float4 plane, float4 cop) {
+    if (plane_ahead(plane, cop) <= 0.0f) plane = -plane;
     vfloat ahead = plane.w - fma(s->x, (vfloat)(plane.x), fma(s->y, (vfloat)(plane.y), s->z * plane.z));
-    float side = plane_ahead(plane, cop) > 0.0f ? 1.0f : -1.0f;
-    return PACKET_MASK(ahead * side <= -PLANE_TOLERANCE);
+    return PACKET_BITS(PACKET_MASK(ahead <= -PLANE_TOLERANCE));
 }
 
 /// Lanes whose line from `cop` passes through the triangle or its border; `side` is the sign of plane_ahead(cop).
-inline vint packet_meets_triangle(const SurfelPacket *s, global const Triangle *t, float4 cop, float side) {
+inline int packet_meets_triangle(const SurfelPacket *s, global const Triangle *t, float4 cop, float side) {
     float4 a = t->v0 - cop, b = t->v1 - cop, c = t->v2 - cop;
     float4 ab = edge_normal(a, b) * side, bc = edge_normal(b, c) * side, ca = edge_normal(c, a) * side;
     vfloat x = s->x - cop.x, y = s->y - cop.y, z = s->z - cop.z;
-    return PACKET_MASK(fma(x, (vfloat)(ab.x), fma(y, (vfloat)(ab.y), z * ab.z)) >= 0.0f) &
-           PACKET_MASK(fma(x, (vfloat)(bc.x), fma(y, (vfloat)(bc.y), z * bc.z)) >= 0.0f) &
-           PACKET_MASK(fma(x, (vfloat)(ca.x), fma(y, (vfloat)(ca.y), z * ca.z)) >= 0.0f);
+    vfloat in_ab = fma(x, (vfloat)(ab.x), fma(y, (vfloat)(ab.y), z * ab.z));
+    vfloat in_bc = fma(x, (vfloat)(bc.x), fma(y, (vfloat)(bc.y), z * bc.z));
+    vfloat in_ca = fma(x, (vfloat)(ca.x), fma(y, (vfloat)(ca.y), z * ca.z));
+    return PACKET_BITS(PACKET_MASK(fmin(fmin(in_ab, in_bc), in_ca) >= 0.0f));
 }
 
 /// Those of `lanes` whose segment from `cop` crosses triangle `index` or one of its mates in front of the surfel.
-inline vint packet_crosses(const SurfelPacket *s, const VisibilityMap *map, int index, float4 cop, vint lanes) {
+inline int packet_crosses(const SurfelPacket *s, const VisibilityMap *map, int index, float4 cop, int lanes) {
     global const Triangle *triangle = map->triangles + index;
     float4 plane = map->planes[triangle->plane];
     float ahead = plane_ahead(plane, cop);
     lanes &= packet_behind(s, plane, cop);
-    if (ahead == 0.0f || !PACKET_ANY(lanes)) return (vint)(0);
-    vint crosses = 0;
+    if (ahead == 0.0f || !lanes) return 0;
+    int crosses = 0;
 #pragma unroll 1
     for (int t = -(triangle->mates & 0xff); t <= triangle->mates >> 8; ++t)
         crosses |= packet_meets_triangle(s, triangle + t, cop, ahead > 0.0f ? 1.0f : -1.0f);
     return crosses & lanes;
 }
 
-/// Those of `lanes` that are seen past `group`, the triangles about the footprint of each of them.
-inline vint seen_past_groups(const SurfelPacket *s, const VisibilityMap *map, Footprint f, int tile, float4 cop, int4 group, vint lanes) {
-    int near[4];
-    vstore4(group, 0, near);
-    int base = tile * PENCIL_TILE_TEXELS(map->n);
-    vint shown = 0;
-    for (int g = 0; g < 4 && near[g] >= 0; ++g) {
-        vint own = PACKET_MASK(s->plane == map->triangles[near[g]].plane) & lanes;
-        if (PACKET_ANY(own))
-            for (int rest = PACKET_BITS(own), l; rest; rest &= rest - 1) {
-                l = LOWEST_LANE(rest);
-                if (((global const int *)(map->groups + base + LANE_INT(f.index, l)))[g] & GROUP_INNER)
-                    shown |= PACKET_FROM_BITS(rest & -rest);
-            }
-        lanes &= ~packet_crosses(s, map, near[g], cop, lanes & ~own);
-        if (!PACKET_ANY(lanes)) return lanes;
-    }
-    int unsure = PACKET_BITS(lanes & ~shown), hidden = 0;
-    for (; unsure; unsure &= unsure - 1) {
-        int l = LOWEST_LANE(unsure);
-        if (hiding_weight(map, tile, footprint_corner(f, l), LANE_FLOAT(f.fx, l), LANE_FLOAT(f.fy, l), cop, surfel_position(s, l),
-                          LANE_INT(s->plane, l)) > 0.5f)
-            hidden |= 1 << l;
-    }
-    return lanes & ~PACKET_FROM_BITS(hidden);
-}
-
-/// Those of `open` that are seen although their cells do not settle it, by rules 1 to 3 of visibility.cl.
-inline vint settle_lanes(const SurfelPacket *s, const VisibilityMap *map, Footprint f, int tile, float4 cop, vint open) {
-    int base = tile * PENCIL_TILE_TEXELS(map->n);
-    int lanes = PACKET_BITS(open), crowded = 0;
-    vint seen = 0;
-    while (lanes) {
-        int4 group = GROUP_TRIANGLE(map->groups[base + LANE_INT(f.index, LOWEST_LANE(lanes))]);
-        int alike = 0;
-        for (int rest = lanes; rest; rest &= rest - 1)
-            if (all(GROUP_TRIANGLE(map->groups[base + LANE_INT(f.index, LOWEST_LANE(rest))]) == group)) alike |= rest & -rest;
-        lanes &= ~alike;
-        if (group.x == CELL_MIXED)
-            crowded = alike;
-        else
-            seen |= seen_past_groups(s, map, f, tile, cop, group, PACKET_FROM_BITS(alike));
-    }
+/// Those of `lanes` that are seen past `group`, the triangles about the footprint of each of them; `inner`: for each triangle, lanes whose
+/// footprint itself shows it.
+inline int seen_past_group(const SurfelPacket *s, const VisibilityMap *map, const Footprint *f, int tile, float4 cop, const int *group,
+                           const int *inner, int lanes) {
     int shown = 0;
-    for (; crowded; crowded &= crowded - 1) {
-        int l = LOWEST_LANE(crowded);
-        if (crowded_footprint_visible(map, tile, footprint_corner(f, l), LANE_FLOAT(f.fx, l), LANE_FLOAT(f.fy, l), cop,
-                                      surfel_position(s, l), LANE_INT(s->plane, l)))
-            shown |= 1 << l;
+    for (int g = 0; g < 4 && group[g] >= 0 && lanes; ++g) {
+        int own = lanes & PACKET_BITS(PACKET_MASK(s->plane == map->triangles[group[g]].plane));
+        shown |= own & inner[g];
+        if (own != lanes) lanes &= ~packet_crosses(s, map, group[g], cop, lanes & ~own);
     }
-    return seen | PACKET_FROM_BITS(shown);
+    for (int unsure = lanes & ~shown; unsure; unsure &= unsure - 1) {
+        int l = LOWEST_LANE(unsure);
+        if (hiding_weight(map, tile, footprint_corner(f, l), LANE_FLOAT(f->fx, l), LANE_FLOAT(f->fy, l), cop, surfel_position(s, l),
+                          LANE_INT(s->plane, l)) > 0.5f)
+            lanes &= ~(1 << l);
+    }
+    return lanes;
 }
 
-/// Lanes of `faces` that are seen from `cop`, the centre of `tile`; f are their footprints.
-inline vint packet_visible(const SurfelPacket *s, const VisibilityMap *map, Footprint f, int tile, float4 cop, vint faces) {
-    vint index = f.index + tile * PENCIL_TILE_TEXELS(map->n);
-    int cells[2 * PENCIL_WIDTH];
-#pragma unroll
-    for (int l = 0; l < PENCIL_WIDTH; ++l) vstore2(map->cells[LANE_INT(index, l)], l, cells);
-    vint first, second;
-    PACKET_LOAD_PAIRS(cells, first, second);
-    vint at_first = PACKET_MASK(first == s->plane);
-    vint seen = faces & (at_first | PACKET_MASK(second == s->plane)) & PACKET_MASK(second >= -1);
-    vint open = faces & ~seen;
-    if (!PACKET_ANY(open)) return seen;
+/// Those of `open` that are seen although neither their cells nor a plane settle it, by rules 1 to 3 of visibility.cl.
+inline int settle_by_triangles(const SurfelPacket *s, const VisibilityMap *map, const Footprint *f, int tile, float4 cop, int open) {
+    int seen = 0;
+    while (open) {
+        int lead = LOWEST_LANE(open);
+        int4 first = map->groups[LANE_INT(f->index, lead)];
+        if (first.x == CELL_MIXED) {
+            open &= open - 1;
+            if (crowded_footprint_visible(map, tile, footprint_corner(f, lead), LANE_FLOAT(f->fx, lead), LANE_FLOAT(f->fy, lead), cop,
+                                          surfel_position(s, lead), LANE_INT(s->plane, lead)))
+                seen |= 1 << lead;
+            continue;
+        }
+        int alike = 0, group[4], inner[4] = {0, 0, 0, 0};
+        for (int rest = open; rest; rest &= rest - 1) {
+            int l = LOWEST_LANE(rest);
+            int4 about = map->groups[LANE_INT(f->index, l)], differs = (about ^ first) & ~GROUP_INNER;
+            if (differs.x | differs.y | differs.z | differs.w) continue;
+            alike |= 1 << l;
+            int4 shows = (about & GROUP_INNER) != 0;
+            inner[0] |= (shows.x & 1) << l;
+            inner[1] |= (shows.y & 1) << l;
+            inner[2] |= (shows.z & 1) << l;
+            inner[3] |= (shows.w & 1) << l;
+        }
+        vstore4(select(first & ~GROUP_INNER, first, first < 0), 0, group);
+        open &= ~alike;
+        seen |= seen_past_group(s, map, f, tile, cop, group, inner, alike);
+    }
+    return seen;
+}
 
-    // The one plane that can hide the surfel: that which fills the cell, or the other of a pair.
+/// Those of `open`, lanes which their cells (first, second) do not show, that are seen nevertheless. Lanes with the same blocking plane are
+/// settled at once; what lies behind the other plane of a pair, or sees three planes, is left to the triangles.
+inline int settle_by_planes(const SurfelPacket *s, const VisibilityMap *map, const Footprint *f, int tile, float4 cop, vint first,
+                            vint second, int open) {
     vint pair = CELL_PAIR(second);
     vint filled = PACKET_MASK(first == second) & PACKET_MASK(first >= 0);
     vint blocker = select((vint)(CELL_MIXED), first, filled | PACKET_MASK(pair == s->plane));
-    blocker = select(blocker, pair, at_first & PACKET_MASK(second <= CELL_PAIR(0)));
-    vint behind = 0;
-    vint blocked = open & PACKET_MASK(blocker >= 0);
-    while (PACKET_ANY(blocked)) {
-        int other = LANE_INT(blocker, LOWEST_LANE(PACKET_BITS(blocked)));
-        vint alike = blocked & PACKET_MASK(blocker == other);
-        behind |= alike & packet_behind(s, map->planes[other], cop);
-        blocked &= ~alike;
+    blocker = select(blocker, pair, PACKET_MASK(first == s->plane) & PACKET_MASK(second <= CELL_PAIR(0)));
+    int filled_lanes = PACKET_BITS(filled), unsettled = open & PACKET_BITS(PACKET_MASK(blocker < 0)), seen = 0;
+    for (int rest = open & ~unsettled; rest;) {
+        int other = LANE_INT(blocker, LOWEST_LANE(rest));
+        int alike = rest & PACKET_BITS(PACKET_MASK(blocker == other)), behind = packet_behind(s, map->planes[other], cop);
+        seen |= alike & ~behind;
+        unsettled |= alike & behind & ~filled_lanes;
+        rest &= ~alike;
     }
-    seen |= open & PACKET_MASK(blocker >= 0) & ~behind;
-    open &= ~seen & ~(behind & filled);  // behind the other of a pair: look at the triangles
-    if (!PACKET_ANY(open)) return seen;
-    return seen | settle_lanes(s, map, f, tile, cop, open);
+    return unsettled ? seen | settle_by_triangles(s, map, f, tile, cop, unsettled) : seen;
+}
+
+/// Lanes of an aimed packet that are seen from `cop`, the centre of `tile`.
+inline int packet_visible(const SurfelPacket *s, const VisibilityMap *map, const Aimed *aimed, int tile, float4 cop) {
+    if (!aimed->faces) return 0;
+    int cells[2 * PENCIL_WIDTH];
+#pragma unroll
+    for (int l = 0; l < PENCIL_WIDTH; ++l) vstore2(map->cells[LANE_INT(aimed->f.index, l)], l, cells);
+    vint first, second;
+    PACKET_LOAD_PAIRS(cells, first, second);
+    vint shown = (PACKET_MASK(first == s->plane) | PACKET_MASK(second == s->plane)) & PACKET_MASK(second >= -1);
+    int seen = aimed->faces & PACKET_BITS(shown), open = aimed->faces & ~seen;
+    return open ? seen | settle_by_planes(s, map, &aimed->f, tile, cop, first, second, open) : seen;
 }
