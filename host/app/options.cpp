@@ -80,9 +80,9 @@ void add_seed(CLI::App& app, std::uint64_t& seed) {
         [&seed](const std::string& text) { seed = parse_seed(text); });
 }
 
-void add_aovs(CLI::App& app, std::vector<std::string>& aovs, const std::vector<std::string>& known) {
-    aovs = known;
-    add(app, "--aov", "Layers beside the beauty, separated by commas {" + join(known) + "}, or all, or none", "A,B", "all",
+/// `aovs` holds what is wanted if nothing is said, `standard` says what that is.
+void add_aovs(CLI::App& app, std::vector<std::string>& aovs, const std::vector<std::string>& known, const std::string& standard) {
+    add(app, "--aov", "Layers beside the beauty, separated by commas {" + join(known) + "}, or all, or none", "A,B", standard,
         [&aovs, &known](const std::string& text) { aovs = parse_list(text, known); });
 }
 
@@ -128,7 +128,8 @@ void add_film_options(CLI::App& app, RenderCommand& command) {
     RenderOptions& options = command.options;
     add_resolution(app, options.width, options.height);
     add_integer(app, "--film-samples", options.film_samples, 1, 64, "Visibility samples of a pixel");
-    add_aovs(app, command.aovs, all_aovs());
+    command.aovs = all_aovs();
+    add_aovs(app, command.aovs, all_aovs(), "all");
 }
 
 }  // namespace
@@ -156,7 +157,8 @@ void add_reference_options(CLI::App& app, ReferenceCommand& command) {
         [&command](const std::string& text) { command.max_depth = text == "auto" ? -1 : static_cast<int>(parse_integer(text, 1, 1000)); });
     add_seed(app, options.seed);
     add_resolution(app, options.width, options.height);
-    add_aovs(app, command.aovs, all_reference_aovs());
+    command.aovs = all_aovs();  // samples that give a variance, too, are stratified less
+    add_aovs(app, command.aovs, all_reference_aovs(), "all but variance");
     app.add_option("--stats", command.stats, "Write times and counts as JSON")->type_name("FILE");
     app.add_flag("--quiet", command.quiet, "No progress and no summary; warnings and errors stay");
 }

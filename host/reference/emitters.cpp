@@ -11,17 +11,8 @@ double mean(const glm::vec3& rgb) { return (static_cast<double>(rgb.x) + rgb.y +
 
 double area(const RayTriangle& t) { return 0.5 * glm::length(glm::cross(glm::dvec3(t.edge1), glm::dvec3(t.edge2))); }
 
-/// Low-distortion map of the unit square to barycentric coordinates (Heitz 2019).
-glm::dvec2 square_to_triangle(glm::dvec2 u) {
-    if (u.y > u.x) {
-        u.x *= 0.5;
-        u.y -= u.x;
-    } else {
-        u.y *= 0.5;
-        u.x -= u.y;
-    }
-    return u;
-}
+/// Low-distortion map of the unit square to barycentric coordinates (Heitz 2019), here without its branch.
+glm::dvec2 square_to_triangle(const glm::dvec2& u) { return u - 0.5 * std::min(u.x, u.y); }
 
 }  // namespace
 

@@ -22,7 +22,8 @@ struct ReferenceOptions {
     int threads = 0;        // that trace; 0: all cores
     bool bounces = false;   // layers "emission", "direct", "bounce2" ..., and "tail" for the orders beyond
     bool surfaces = false;  // layers "albedo", "depth", "position", "normal"
-    bool variance = false;  // layer "variance": of the mean in each pixel and channel, from independent sets of samples
+    bool variance = false;  // layer "variance": of the mean in each pixel and channel, from independent sets of samples, which are
+                            // stratified less than one: the image is noisier
 };
 
 struct ReferenceResult {

