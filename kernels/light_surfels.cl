@@ -27,7 +27,9 @@ inline void add_light_sample(const SurfelPacket *s, const VisibilityMap *map, fl
 }
 
 /// launch : 1-D, one work-item per block of PENCIL_BLOCK packets of PENCIL_WIDTH surfels
-/// in     : surfels; samples[sample_count]; cops[sample_count]; cells, groups, hits: tiles of n x n of the samples
+/// in     : surfels; samples[sample_count]; cops[sample_count]; cells, groups, hits: tiles of n x n of the samples. stride 1: all samples;
+///          else every stride-th three of them (pencils/light_samples.cpp makes threes), stride times as strong, from a start that `seed`
+///          draws for each `group` surfels in a row
 /// out    : outgoing[3][capacity] [W m^-2 sr^-1], added to if `accumulate`
 /// DEVIATION: cos cos / r^2 becomes cos cos / (r^2 + A/pi), A the area the sample stands for: the form factor of a disc of that area,
 /// exact on its axis. It is bounded where r -> 0 and tends to the printed form as A does to 0. Point lights have A = 0 and cos_l = 1.
