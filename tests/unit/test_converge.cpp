@@ -132,9 +132,16 @@ TEST(RunPlan, ExpectsLessAndLess) {
 TEST(Methods, EveryStepIsLargerAndSaysItsOptions) {
     for (const MeasuredMethod& method : all_methods()) {
         for (int step = 1; step < 12; ++step) {
-            EXPECT_GT(method.budget(step).options.pencils, method.budget(step - 1).options.pencils) << method.name;
-            EXPECT_NE(method.budget(step).flags.find("--pencils " + std::to_string(method.budget(step).options.pencils)),
-                      std::string::npos);
+            const RenderOptions now = method.budget(step).options, before = method.budget(step - 1).options;
+            const std::string& flags = method.budget(step).flags;
+            if (now.method == Method::surface) {  // a ladder of time
+                EXPECT_GT(now.seconds, before.seconds);
+                EXPECT_NE(flags.find("--method surface --time "), std::string::npos) << flags;
+                EXPECT_EQ(std::stod(flags.substr(flags.rfind(' '))), now.seconds) << flags;
+            } else {
+                EXPECT_GT(now.pencils, before.pencils) << method.name;
+                EXPECT_NE(flags.find("--pencils " + std::to_string(now.pencils)), std::string::npos) << flags;
+            }
         }
         EXPECT_EQ(&find_method(method.name), &method);
     }
