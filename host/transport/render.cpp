@@ -111,7 +111,8 @@ private:
 
     /// Since the start, but for building kernels: that is the driver's time, and none once its cache is warm.
     double seconds() const {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count() - context_.kernels.device()->build_seconds();
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count() -
+               context_.kernels.device()->build_seconds();
     }
 
     RenderResult finish(std::vector<Layer> layers) {

@@ -6,7 +6,7 @@
 #include "shared/types.h"
 #endif
 
-#define RING_SECTORS 8        // of azimuth about the normal
+#define RING_SECTORS 8         // of azimuth about the normal
 #define LINK_LAST_RESORT (-2)  // second link of a surfel whose first pencil stands for it only because no other does
 
 PENCIL_SHARED_BEGIN

@@ -30,7 +30,8 @@ TEST(Luminaires, Cie171Test58) {
     for (const double albedo : {0.2, 0.5, 0.8, 0.9, 0.95}) {
         RenderOptions options;
         options.tolerance = 1e-4;
-        const double wall = mean(layer(render_layers(cie_cube(albedo), options), "")), expected = albedo / ref::pi * cie_cube_answer(albedo);
+        const double wall = mean(layer(render_layers(cie_cube(albedo), options), "")),
+                     expected = albedo / ref::pi * cie_cube_answer(albedo);
         std::printf("albedo %.2f: %.4f of the energy balance\n", albedo, wall / expected);
         EXPECT_NEAR(wall, expected, 0.02 * expected) << "albedo " << albedo;
     }
