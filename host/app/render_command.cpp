@@ -12,17 +12,10 @@
 #include "scene/scene_fingerprint.h"
 #include "util/log.h"
 #include "util/progress.h"
+#include "util/stopwatch.h"
 
 namespace pencil {
 namespace {
-
-class Stopwatch {
-public:
-    double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
-
-private:
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 /// Runs `work`, whose time becomes a stage of the report.
 template <typename Work>

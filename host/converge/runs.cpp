@@ -9,17 +9,10 @@
 #include "reference/path_tracer.h"
 #include "scene/scene_fingerprint.h"
 #include "scene/write_image.h"
+#include "util/stopwatch.h"
 
 namespace pencil {
 namespace {
-
-class Stopwatch {
-public:
-    double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
-
-private:
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 RenderOptions render_options(const std::string& method, int budget, std::uint64_t seed, const ConvergeOptions& options) {
     RenderOptions result = find_method(method).budget(budget).options;

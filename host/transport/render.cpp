@@ -1,6 +1,5 @@
 #include "transport/render.h"
 
-#include <chrono>
 #include <cmath>
 
 #include "pencils/low_discrepancy.h"
@@ -9,6 +8,7 @@
 #include "transport/line_method.h"
 #include "transport/surface_method.h"
 #include "util/error.h"
+#include "util/stopwatch.h"
 
 namespace pencil {
 
@@ -110,10 +110,7 @@ private:
     }
 
     /// Since the start, but for building kernels: that is the driver's time, and none once its cache is warm.
-    double seconds() const {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count() -
-               context_.kernels.device()->build_seconds();
-    }
+    double seconds() const { return watch_.seconds() - context_.kernels.device()->build_seconds(); }
 
     RenderResult finish(std::vector<Layer> layers) {
         RenderResult result;
@@ -130,7 +127,7 @@ private:
     }
 
     std::vector<std::string> aovs_;
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    Stopwatch watch_;
     RenderContext context_;
 };
 
