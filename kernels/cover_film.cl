@@ -3,16 +3,15 @@
 
 /// launch : 1-D, one work-item per pixel
 /// in     : surfels of the film with their numbering; pencil_at[pixel]: film pencil of a pixel, -1: none; coarsest: largest spacing
-/// out    : uncovered[pixel]: 1 if for some surfel of the pixel the least reuse_error of the lattice points about it exceeds `most_error`
+/// out    : uncovered[capacity]: 1 if the least reuse_error of the lattice points about the surfel's pixel exceeds `most_error`, else 0
 kernel void cover_film(global const float *surfels, int capacity, global const uchar *counts, global const int *first_surfel,
                        global const SurfacePencil *pencils, global const int *pencil_at, int coarsest, int finest, float most_error,
                        int width, int height, global uchar *uncovered) {
     int pixel = get_global_id(0);
     if (pixel >= width * height) return;
     int2 at = (int2)(pixel % width, pixel / width);
-    uchar result = 0;
-    for (int k = 0; k < (counts[pixel] & FILM_COUNT_MASK) && !result; ++k) {
-        SurfacePoint point = surface_point(surfels, capacity, first_surfel[pixel] + k);
+    for (int i = first_surfel[pixel]; i < first_surfel[pixel] + (counts[pixel] & FILM_COUNT_MASK); ++i) {
+        SurfacePoint point = surface_point(surfels, capacity, i);
         float least = INFINITY;
         for (int spacing = coarsest; spacing >= finest && least > most_error; spacing /= 2)
             for (int corner = 0; corner < 4; ++corner) {
@@ -21,7 +20,6 @@ kernel void cover_film(global const float *surfels, int capacity, global const u
                 float distance = reuse_distance(pencils + pencil, point.x, point.n, INFINITY);
                 if (distance < INFINITY) least = fmin(least, reuse_error(pencils + pencil, distance, point.n));
             }
-        result = least > most_error;
+        uncovered[i] = least > most_error;
     }
-    uncovered[pixel] = result;
 }

@@ -1,18 +1,12 @@
 // Direct light of surfels from the light samples (thesis alg. 6.2), each with its own geometry map for visibility.
 
-/// Aims one packet at sample i; the weight is the geometry term, with one division for all of it.
+/// Aims one packet at sample i; the weight is the geometry term.
 inline void aim_at_sample(const SurfelPacket *s, const VisibilityMap *map, global const LightSample *sample, float4 cop, int i,
                           Aimed *aimed) {
-    float4 normal = sample->normal;
-    bool area = sample->position.w != 0.0f;
     vfloat vx = s->x - cop.x, vy = s->y - cop.y, vz = s->z - cop.z;
-    vfloat weight = packet_cosine_towards(s, vx, vy, vz);
-    vfloat rr = fma(vx, vx, fma(vy, vy, vz * vz));
-    if (area) weight *= fmax(fma((vfloat)(normal.x), vx, fma((vfloat)(normal.y), vy, normal.z * vz)), (vfloat)(0.0f));
-    aimed->faces = PACKET_BITS(PACKET_MASK(weight > 0.0f));
-    if (!aimed->faces) return;
-    aimed->weight = weight / ((area ? rr : rr * packet_rsqrt(rr)) * (rr + normal.w));
-    aim_packet(map, i, vx, vy, vz, aimed);
+    aimed->weight = sample_weight(s, sample, vx, vy, vz);
+    aimed->faces = PACKET_BITS(PACKET_MASK(aimed->weight > 0.0f));
+    if (aimed->faces) aim_packet(map, i, vx, vy, vz, aimed);
 }
 
 /// Irradiance of one packet from sample i, added to rgb.
@@ -27,35 +21,27 @@ inline void add_light_sample(const SurfelPacket *s, const VisibilityMap *map, fl
 }
 
 /// launch : 1-D, one work-item per block of PENCIL_BLOCK packets of PENCIL_WIDTH surfels
-/// in     : surfels; samples[sample_count]; cops[sample_count]; cells, groups, hits: tiles of n x n of the samples. stride 1: all samples;
-///          else every stride-th three of them (pencils/light_samples.cpp makes threes), stride times as strong, from a start that `seed`
-///          draws for each `group` surfels in a row
+/// in     : surfels; samples[sample_count]; cops[sample_count]; cells, groups, hits: tiles of n x n of the samples, n 0: none, rays decide
 /// out    : outgoing[3][capacity] [W m^-2 sr^-1], added to if `accumulate`
-/// DEVIATION: cos cos / r^2 becomes cos cos / (r^2 + A/pi), A the area the sample stands for: the form factor of a disc of that area,
-/// exact on its axis. It is bounded where r -> 0 and tends to the printed form as A does to 0. Point lights have A = 0 and cos_l = 1.
 kernel void light_surfels(global const float *surfels, int capacity, int surfel_count, global const LightSample *samples, int sample_count,
                           global const float4 *cops, global const int2 *cells, global const int4 *groups, global const Hit *hits,
-                          global const Triangle *triangles, global const float4 *planes, int n, int stride, int group, uint seed,
-                          global float *outgoing, int accumulate) {
+                          global const Triangle *triangles, global const float4 *planes, int n, global const BvhNode *nodes,
+                          global const int *leaves, global float *outgoing, int accumulate) {
     int first = get_global_id(0) * PENCIL_BLOCK * PENCIL_WIDTH;
     if (first >= surfel_count) return;
-    VisibilityMap map = {cells, groups, hits, triangles, planes, n};
+    VisibilityMap map = {cells, groups, hits, triangles, planes, n, nodes, leaves};
     SurfelPacket packets[PENCIL_BLOCK];
     vfloat rgb[PENCIL_BLOCK][3];
     for (int p = 0; p < PENCIL_BLOCK; ++p) {
         packets[p] = load_surfels(surfels, capacity, first + p * PENCIL_WIDTH);
         rgb[p][0] = rgb[p][1] = rgb[p][2] = 0.0f;
     }
-    int phase = (int)(hash_uint((uint)(first / group) ^ seed) % (uint)stride);
     for (int i = 0; i < sample_count; ++i) {
-        if (i / 3 % stride != phase) continue;
         float4 cop = (float4)(cops[i].xyz, 0.0f);
         Aimed aimed[PENCIL_BLOCK];
         for (int p = 0; p < PENCIL_BLOCK; ++p) aim_at_sample(packets + p, &map, samples + i, cop, i, aimed + p);
         for (int p = 0; p < PENCIL_BLOCK; ++p) add_light_sample(packets + p, &map, samples[i].emission, cop, i, aimed + p, rgb[p]);
     }
-    float scale = stride;
     for (int p = 0; p < PENCIL_BLOCK; ++p)
-        scatter_irradiance(surfels, capacity, first + p * PENCIL_WIDTH, scale * rgb[p][0], scale * rgb[p][1], scale * rgb[p][2], outgoing,
-                           accumulate);
+        scatter_irradiance(surfels, capacity, first + p * PENCIL_WIDTH, rgb[p][0], rgb[p][1], rgb[p][2], outgoing, accumulate);
 }

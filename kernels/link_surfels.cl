@@ -4,7 +4,7 @@
 /// in     : surfels; pencils and their grid
 /// out    : links[surfel_count]: pencils, -1: none; factors[surfel_count]: their weights
 kernel void link_surfels(global const float *surfels, int capacity, int surfel_count, global const SurfacePencil *pencils, PencilGrid grid,
-                         global const int *starts, global const int *entries, global int4 *links, global float4 *factors) {
+                         global const int *starts, global const float *entries, global int4 *links, global float4 *factors) {
     int i = get_global_id(0);
     if (i >= surfel_count) return;
     size_t c = capacity;

@@ -5,7 +5,7 @@
 /// out    : outgoing[3][capacity] [W m^-2 sr^-1], added to
 /// needs  : surfels that no pencil may stand for receive nothing
 kernel void project_surface_pencils(global const float *surfels, int capacity, int surfel_count, global const SurfacePencil *pencils,
-                                    PencilGrid grid, global const int *starts, global const int *entries, global float *outgoing) {
+                                    PencilGrid grid, global const int *starts, global const float *entries, global float *outgoing) {
     int i = get_global_id(0);
     if (i >= surfel_count) return;
     size_t c = capacity;

@@ -6,13 +6,13 @@
 /// Share of the neighbours' weight that holds slopes at 0: decides where neighbours lie on one side or in a line.
 #define SMOOTH_HOLD 1e-3f
 
+/// A film pencil's irradiance near it: value + along_t dot(step, t) + along_b dot(step, b), t and b of tangent_frame.
 /// launch : 1-D, one work-item per pixel
 /// in     : pencils, pencil_at; facing.w: spacing at which a pencil was placed [pixels]; most_error: reuse_error at which a neighbour
-/// counts
-///          nothing
-/// out    : irradiance[pencil]: rgb
+///          counts nothing
+/// out    : fits[3 * pencil ..]: value, along_t, along_b (rgb) [W m^-2, W m^-2 / scene unit]
 kernel void smooth_irradiance(global const SurfacePencil *pencils, global const int *pencil_at, float most_error, int width, int height,
-                              global float4 *irradiance) {
+                              global float4 *fits) {
     int pixel = get_global_id(0);
     if (pixel >= width * height || pencil_at[pixel] < 0) return;
     global const SurfacePencil *own = pencils + pencil_at[pixel];
@@ -20,8 +20,8 @@ kernel void smooth_irradiance(global const SurfacePencil *pencils, global const 
     int spacing = (int)own->facing.w;
     float3 x = own->position.xyz, n = own->normal.xyz, t, b;
     tangent_frame(n, &t, &b);
-    // Moments of (1, s, u) and of the irradiance with them.
-    float w0 = 0.0f, ws = 0.0f, wu = 0.0f, wss = 0.0f, wsu = 0.0f, wuu = 0.0f;
+    // Sums of weights, of (s, u) and the irradiance, and of their products.
+    float w = 0.0f, ws = 0.0f, wu = 0.0f, wss = 0.0f, wsu = 0.0f, wuu = 0.0f;
     float3 e0 = (float3)(0.0f), es = (float3)(0.0f), eu = (float3)(0.0f);
     for (int dy = -SMOOTH_REACH; dy <= SMOOTH_REACH; ++dy)
         for (int dx = -SMOOTH_REACH; dx <= SMOOTH_REACH; ++dx) {
@@ -36,7 +36,7 @@ kernel void smooth_irradiance(global const SurfacePencil *pencils, global const 
             float weight = fmax(1.0f - error / (2.0f * most_error), 0.0f);
             float3 step = pencil->position.xyz - x, e = pencil->irradiance.xyz;
             float s = dot(step, t), u = dot(step, b);
-            w0 += weight;
+            w += weight;
             ws += weight * s;
             wu += weight * u;
             wss += weight * s * s;
@@ -46,12 +46,17 @@ kernel void smooth_irradiance(global const SurfacePencil *pencils, global const 
             es += weight * s * e;
             eu += weight * u * e;
         }
-    float hold = SMOOTH_HOLD * (wss + wuu) + 1e-20f;
-    wss += hold;
-    wuu += hold;
-    // First row of the inverse of the symmetric matrix [w0 ws wu; ws wss wsu; wu wsu wuu].
-    float a = wss * wuu - wsu * wsu, c = wsu * wu - ws * wuu, d = ws * wsu - wss * wu;
-    float determinant = w0 * a + ws * c + wu * d;
-    float3 fitted = determinant > 1e-6f * w0 * wss * wuu ? (a * e0 + c * es + d * eu) / determinant : e0 / w0;
-    irradiance[pencil_at[pixel]] = (float4)(fmax(fitted, (float3)(0.0f)), 0.0f);
+    // Least squares about the weighted mean.
+    float ms = ws / w, mu = wu / w;
+    float ss = wss - ms * ws, su = wsu - ms * wu, uu = wuu - mu * wu;
+    float hold = SMOOTH_HOLD * (ss + uu) + 1e-20f;
+    ss += hold;
+    uu += hold;
+    float3 mean = e0 / w, cs = es - ms * e0, cu = eu - mu * e0;
+    float determinant = ss * uu - su * su;
+    float3 along_t = (uu * cs - su * cu) / determinant, along_b = (ss * cu - su * cs) / determinant;
+    global float4 *fit = fits + 3 * (size_t)pencil_at[pixel];
+    fit[0] = (float4)(fmax(mean - ms * along_t - mu * along_b, (float3)(0.0f)), 0.0f);
+    fit[1] = (float4)(along_t, 0.0f);
+    fit[2] = (float4)(along_b, 0.0f);
 }

@@ -2,14 +2,13 @@
 
 /// launch : 1-D, one work-item per packet of PENCIL_WIDTH texels of pencils first_pencil .. ; n * n entries per pencil, in the order of
 ///          hemisphere_texel
-/// in     : pencils (position, normal, facing); the scene and its hierarchy; seed: of the points within texels
-/// out    : surfels, structure of arrays of `capacity`, entry k of pencil first_pencil + p at p * n * n + k; distances[capacity] [scene
-///          units], INFINITY where nothing is seen
+/// in     : pencils (position, normal, facing, plane); the scene and its hierarchy; seed: of the points within texels
+/// out    : surfels, structure of arrays of `capacity`, entry k of pencil first_pencil + p at first_surfel + p * n * n + k
 /// needs  : n a multiple of 4. Texels below the geometric horizon of a pencil see nothing.
 kernel void trace_hemispheres(global const SurfacePencil *pencils, int first_pencil, int pencil_count, int n, uint seed,
                               global const BvhNode *nodes, global const int *leaves, global const Triangle *triangles,
                               global const float4 *planes, global const Material *materials, global const float4 *normals,
-                              global float *surfels, int capacity, global float *distances) {
+                              global float *surfels, int capacity, int first_surfel) {
     int first = get_global_id(0) * PENCIL_WIDTH;
     if (first >= pencil_count * n * n) return;
     int index = first_pencil + first / (n * n);
@@ -33,13 +32,12 @@ kernel void trace_hemispheres(global const SurfacePencil *pencils, int first_pen
     vfloat pz = sqrt(fmax(1.0f - px * px - py * py, (vfloat)(0.0f)));
     RayPacket rays =
         ray_packet(px * t.x + py * b.x + pz * normal.x, px * t.y + py * b.y + pz * normal.y, px * t.z + py * b.z + pz * normal.z);
-    packet_trace(&rays, origin, nodes, leaves, triangles, planes);
+    packet_trace(&rays, origin, pencil->plane, nodes, leaves, triangles, planes);
     vint below = PACKET_MASK(rays.x * facing.x + rays.y * facing.y + rays.z * facing.z <= 0.0f);
     rays.triangle = select(rays.triangle, (vint)(-1), below);
-    PACKET_STORE(select(rays.nearest, (vfloat)(INFINITY), below), distances + first);
     for (int l = 0; l < PENCIL_WIDTH; ++l) {
         Hit hit = {LANE_INT(rays.triangle, l), LANE_FLOAT(rays.disparity, l)};
         float4 direction = (float4)(LANE_FLOAT(rays.x, l), LANE_FLOAT(rays.y, l), LANE_FLOAT(rays.z, l), 0.0f);
-        write_surfel(surfels, capacity, first + l, hit, origin, direction, triangles, planes, materials, normals);
+        write_surfel(surfels, capacity, first_surfel + first + l, hit, origin, direction, triangles, planes, materials, normals);
     }
 }

@@ -1,6 +1,7 @@
 #include "pencils/light_samples.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include "pencils/low_discrepancy.h"
@@ -123,6 +124,17 @@ std::vector<LightSample> sample_lights(const Scene& scene, const FlatScene& flat
         sample_shape(e, flat, radiance, own, hash64(seed) ^ e.shape, samples);
     }
     return samples;
+}
+
+std::vector<float> near_areas(const FlatScene& flat, const std::vector<LightSample>& samples) {
+    std::vector<int> material_of_plane(flat.planes.size(), -1);
+    for (const Triangle& t : flat.triangles) material_of_plane[static_cast<std::size_t>(t.plane)] = t.material;
+    std::vector<float> areas(flat.materials.size(), std::numeric_limits<float>::infinity());
+    for (const LightSample& s : samples) {
+        if (s.position.w == 0.0F) continue;  // point lights have no surface
+        areas[static_cast<std::size_t>(material_of_plane[static_cast<std::size_t>(s.emission.w)])] = s.normal.w;
+    }
+    return areas;
 }
 
 }  // namespace pencil

@@ -13,6 +13,10 @@ namespace pencil {
 std::vector<LightSample> sample_lights(const Scene& scene, const FlatScene& flat, const std::vector<LightForm>& forms, int count,
                                        std::uint64_t seed);
 
+/// Per material: area over pi that each light sample of an emitter stands for [scene units^2]; infinite for emitters without samples. Light
+/// samples carry the share r^2 / (r^2 + that) of the light to a point at distance r.
+std::vector<float> near_areas(const FlatScene& flat, const std::vector<LightSample>& samples);
+
 /// `automatic` per emitting shape: an emitter of more than large_emitter of the scene's surface is carried by the maps.
 std::vector<LightForm> choose_light_forms(const Scene& scene, bool all_samples, bool all_maps);
 

@@ -2,12 +2,14 @@
 
 namespace pencil {
 
-DeviceScene::DeviceScene(const std::shared_ptr<Device>& device, const FlatScene& flat)
+DeviceScene::DeviceScene(const std::shared_ptr<Device>& device, const FlatScene& flat, const Bvh& bvh)
     : triangle_count(static_cast<int>(flat.triangles.size())),
       triangles(device, flat.triangles, "triangles"),
       planes(device, flat.planes, "planes"),
       materials(device, flat.materials, "materials"),
       normals(device, flat.normals, "vertex normals"),
-      to_film(device, flat.to_film, "film projection") {}
+      to_film(device, flat.to_film, "film projection"),
+      nodes(device, bvh.nodes, "hierarchy"),
+      leaves(device, bvh.leaves, "leaves of the hierarchy") {}
 
 }  // namespace pencil

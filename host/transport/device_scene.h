@@ -2,12 +2,14 @@
 #pragma once
 
 #include "cl/buffer.h"
+#include "pencils/build_bvh.h"
 #include "pencils/flat_scene.h"
 
 namespace pencil {
 
 struct DeviceScene {
-    DeviceScene(const std::shared_ptr<Device>& device, const FlatScene& flat);
+    /// `bvh`: empty where no kernel follows rays.
+    DeviceScene(const std::shared_ptr<Device>& device, const FlatScene& flat, const Bvh& bvh = {});
 
     int triangle_count;
     Buffer<Triangle> triangles;
@@ -15,6 +17,8 @@ struct DeviceScene {
     Buffer<Material> materials;
     Buffer<float4> normals;  // empty unless Features::smooth
     Buffer<float4> to_film;
+    Buffer<BvhNode> nodes;
+    Buffer<int> leaves;
 };
 
 }  // namespace pencil

@@ -6,17 +6,19 @@
 
 namespace pencil {
 
-Features detect_features(const FlatScene& scene, bool thesis_weights, int film_samples) {
+Features detect_features(const FlatScene& scene, bool thesis_weights, int film_samples, bool bvh) {
     Features features;
     features.smooth = !scene.normals.empty();
     features.thesis_weights = thesis_weights;
     features.film_samples = film_samples;
+    features.bvh = bvh;
     return features;
 }
 
 Defines to_defines(const Features& features, int block) {
     return {{"PENCIL_SMOOTH", features.smooth ? "1" : "0"},
             {"PENCIL_WEIGHTS_THESIS", features.thesis_weights ? "1" : "0"},
+            {"PENCIL_BVH", features.bvh ? "1" : "0"},
             {"PENCIL_BLOCK", std::to_string(block)},
             {"PENCIL_FILM_SAMPLES", std::to_string(features.film_samples)}};
 }

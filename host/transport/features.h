@@ -12,10 +12,11 @@ namespace pencil {
 struct Features {
     bool smooth = false;          // some triangle has vertex normals: interpolated shading normals
     bool thesis_weights = false;  // printed normaliser, eq. (5.33)
+    bool bvh = false;             // the scene has a hierarchy: rays settle what geometry maps leave open
     int film_samples = 16;        // visibility samples per pixel
 };
 
-Features detect_features(const FlatScene& scene, bool thesis_weights, int film_samples);
+Features detect_features(const FlatScene& scene, bool thesis_weights, int film_samples, bool bvh = false);
 Defines to_defines(const Features& features, int block);
 
 /// Kernels of one render: the program cache with the render's specialisation.

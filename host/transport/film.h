@@ -20,6 +20,7 @@ public:
     const Buffer<int>& first_surfel() const { return first_surfel_; }  // per pixel
     int width() const { return camera_.width; }
     int height() const { return camera_.height; }
+    float4 eye() const { return camera_.origin; }  // [scene units]
 
     /// Pixels (rgb, rows from the top) of three consecutive fields of values[field][surfels().capacity]; launcher of resolve_film.
     std::vector<float> resolve(Kernels& kernels, const Buffer<float>& values, int first_field = 0) const;

@@ -6,6 +6,13 @@
 
 namespace pencil {
 
+namespace {
+
+/// Width of the maps of single pencils: there are many of them where much is small, and no other pencil needs what they know.
+constexpr int single_map = 4;
+
+}  // namespace
+
 FilmPencils::FilmPencils(Kernels& kernels, const Film& film, const FilmLattice& lattice)
     : kernels_(kernels),
       film_(film),
@@ -14,7 +21,9 @@ FilmPencils::FilmPencils(Kernels& kernels, const Film& film, const FilmLattice& 
       first_(film.first_surfel().read()),
       at_(counts_.size(), -1),
       pencil_at_(kernels.device(), at_, "film pencils by pixel"),
-      pencils_(kernels.device(), 1, lattice.map) {
+      pencils_(kernels.device(), 1, lattice.map),
+      singles_(kernels.device(), 1, single_map),
+      single_at_(kernels.device(), static_cast<std::size_t>(film.surfels().capacity), "single film pencils by surfel") {
     std::vector<int> pixels;
     const int width = film.width(), height = film.height(), step = lattice.coarsest;
     for (int y = 0;; y = std::min(y + step, height - 1)) {
@@ -37,49 +46,78 @@ void FilmPencils::place(const std::vector<int>& pixels, int spacing) {
         at_[p] = next++;
         chosen.push_back(first_[p]);
     }
-    place_surface_pencils(kernels_, film_.surfels(), chosen, 0.0F, pencils_, static_cast<float>(spacing));
+    place_surface_pencils(kernels_, film_.surfels(), chosen, std::vector<float4>(chosen.size(), film_.eye()), 0.0F, pencils_,
+                          static_cast<float>(spacing));
     pencil_at_.write(at_);
 }
 
+/// Surfels that the lattice down to `spacing` leaves uncovered.
+std::vector<unsigned char> FilmPencils::uncovered(int spacing) const {
+    const Surfels& surfels = film_.surfels();
+    Buffer<unsigned char> uncovered(kernels_.device(), static_cast<std::size_t>(surfels.capacity), "uncovered surfels");
+    kernels_.get("cover_film")
+        .args(surfels.data, surfels.capacity, film_.counts(), film_.first_surfel(), pencils_.data, pencil_at_, lattice_.coarsest, spacing,
+              lattice_.most_error, film_.width(), film_.height(), uncovered)
+        .run(counts_.size(), "cover film");
+    return uncovered.read(0, static_cast<std::size_t>(surfels.count));
+}
+
+/// Lattice points at half the spacing of all cells that hold uncovered surfels.
+std::vector<int> FilmPencils::finer_pixels(const std::vector<unsigned char>& uncovered, int spacing) const {
+    const int width = film_.width(), height = film_.height(), half = spacing / 2;
+    std::vector<int> pixels;
+    std::vector<bool> done(counts_.size(), false);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const auto pixel = static_cast<std::size_t>(y * width + x);
+            const auto cell = static_cast<std::size_t>(y / spacing * spacing * width + x / spacing * spacing);
+            const auto first = uncovered.begin() + first_[pixel];
+            if (done[cell] || std::find(first, first + (counts_[pixel] & FILM_COUNT_MASK), 1) == first + (counts_[pixel] & FILM_COUNT_MASK))
+                continue;
+            done[cell] = true;
+            for (int dy = 0; dy <= 2; ++dy)
+                for (int dx = 0; dx <= 2; ++dx)
+                    pixels.push_back(std::min(y / spacing * spacing + dy * half, height - 1) * width +
+                                     std::min(x / spacing * spacing + dx * half, width - 1));
+        }
+    return pixels;
+}
+
 void FilmPencils::refine(SurfaceSolver& solver) {
-    const int width = film_.width(), height = film_.height();
-    Buffer<unsigned char> uncovered(kernels_.device(), counts_.size(), "uncovered pixels");
-    solver.gather(pencils_, gathered_, pencils_.count - gathered_);
-    gathered_ = pencils_.count;
-    for (int spacing = lattice_.coarsest; spacing > lattice_.finest && !solver.stopped(); spacing /= 2) {
-        kernels_.get("cover_film")
-            .args(film_.surfels().data, film_.surfels().capacity, film_.counts(), film_.first_surfel(), pencils_.data, pencil_at_,
-                  lattice_.coarsest, spacing, lattice_.most_error, width, height, uncovered)
-            .run(counts_.size(), "cover film");
-        const std::vector<unsigned char> open = uncovered.read();
-        std::vector<int> pixels;
-        const int half = spacing / 2;
-        std::vector<bool> done(counts_.size(), false);
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x) {
-                if (!open[static_cast<std::size_t>(y * width + x)]) continue;
-                const int left = x / spacing * spacing, top = y / spacing * spacing;
-                if (done[static_cast<std::size_t>(top * width + left)]) continue;
-                done[static_cast<std::size_t>(top * width + left)] = true;
-                for (int dy = 0; dy <= 2; ++dy)
-                    for (int dx = 0; dx <= 2; ++dx)
-                        pixels.push_back(std::min(top + dy * half, height - 1) * width + std::min(left + dx * half, width - 1));
-            }
-        place(pixels, half);
+    const auto gather = [&] {
         solver.gather(pencils_, gathered_, pencils_.count - gathered_);
         gathered_ = pencils_.count;
+    };
+    gather();
+    for (int spacing = lattice_.coarsest; spacing > lattice_.finest && !solver.stopped(); spacing /= 2) {
+        place(finer_pixels(uncovered(spacing), spacing), spacing / 2);
+        gather();
     }
+    place_singles(uncovered(lattice_.finest));
+    solver.gather(singles_, 0, singles_.count);
+}
+
+/// A pencil for each uncovered surfel: at silhouettes, in creases and on small things.
+void FilmPencils::place_singles(const std::vector<unsigned char>& uncovered) {
+    std::vector<int> chosen, at(uncovered.size(), -1);
+    for (std::size_t i = 0; i < uncovered.size(); ++i)
+        if (uncovered[i]) {
+            at[i] = static_cast<int>(chosen.size());
+            chosen.push_back(static_cast<int>(i));
+        }
+    place_surface_pencils(kernels_, film_.surfels(), chosen, std::vector<float4>(chosen.size(), film_.eye()), 0.0F, singles_);
+    single_at_.write(at);
 }
 
 void FilmPencils::project(Buffer<float>& outgoing) {
     const Surfels& surfels = film_.surfels();
-    Buffer<float4> irradiance(kernels_.device(), static_cast<std::size_t>(pencils_.count), "irradiance of film pencils");
+    Buffer<float4> fits(kernels_.device(), 3 * static_cast<std::size_t>(pencils_.count), "irradiance of film pencils");
     kernels_.get("smooth_irradiance")
-        .args(pencils_.data, pencil_at_, lattice_.smooth, film_.width(), film_.height(), irradiance)
+        .args(pencils_.data, pencil_at_, lattice_.smooth, film_.width(), film_.height(), fits)
         .run(counts_.size(), "smooth irradiance");
     kernels_.get("project_film_pencils")
-        .args(surfels.data, surfels.capacity, film_.counts(), film_.first_surfel(), pencils_.data, irradiance, pencil_at_,
-              lattice_.coarsest, lattice_.finest, 2.0F * lattice_.most_error, film_.width(), film_.height(), outgoing)
+        .args(surfels.data, surfels.capacity, film_.counts(), film_.first_surfel(), pencils_.data, fits, pencil_at_, lattice_.coarsest,
+              lattice_.finest, 2.0F * lattice_.most_error, singles_.data, single_at_, film_.width(), film_.height(), outgoing)
         .run(counts_.size(), "project film pencils");
 }
 

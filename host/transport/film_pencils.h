@@ -23,11 +23,16 @@ public:
     /// Gathers, refines, gathers.
     void refine(SurfaceSolver& solver);
 
+    int count() const { return pencils_.count + singles_.count; }
+
     /// Adds reflected irradiance to the surfels of the film.
     void project(Buffer<float>& outgoing);
 
 private:
     void place(const std::vector<int>& pixels, int spacing);
+    std::vector<unsigned char> uncovered(int spacing) const;
+    std::vector<int> finer_pixels(const std::vector<unsigned char>& uncovered, int spacing) const;
+    void place_singles(const std::vector<unsigned char>& uncovered);
 
     Kernels& kernels_;
     const Film& film_;
@@ -37,6 +42,8 @@ private:
     std::vector<int> at_;
     Buffer<int> pencil_at_;
     SurfacePencils pencils_;
+    SurfacePencils singles_;  // of surfels that the finest lattice leaves uncovered
+    Buffer<int> single_at_;   // by surfel, -1: none
     int gathered_ = 0;
 };
 

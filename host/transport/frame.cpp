@@ -13,6 +13,12 @@ namespace {
 constexpr int light_map_factor = 4;
 constexpr int largest_light_map = 256;
 
+Bvh hierarchy(RenderContext& context) {
+    Bvh bvh;
+    if (context.kernels.features().bvh) context.clock.run("hierarchy", [&] { bvh = build_bvh(context.flat.triangles); });
+    return bvh;
+}
+
 }  // namespace
 
 int light_map_size(int map) { return std::max(map, std::min(light_map_factor * map, largest_light_map)); }
@@ -23,9 +29,9 @@ RenderContext::RenderContext(const Scene& scene_to_render, const RenderOptions& 
       options(render_options),
       forms(choose_light_forms(scene, options.initial == Initial::direct, options.initial == Initial::emission)),
       flat(flatten(scene, forms, options.width, options.height)),
-      kernels(device, detect_features(flat, options.weights == Weights::thesis, options.film_samples)),
+      kernels(device, detect_features(flat, options.weights == Weights::thesis, options.film_samples, options.method == Method::surface)),
       clock(device, progress),
-      device_scene(device, flat) {
+      device_scene(device, flat, hierarchy(*this)) {
     for (std::size_t i = 0; i < forms.size(); ++i) maps_emit = maps_emit || (scene.shapes[i].emits && forms[i] == LightForm::maps);
 }
 
@@ -41,10 +47,10 @@ Frame::Frame(RenderContext& context, const std::vector<std::string>& aovs, int l
 
 void Frame::make_lights(int count, int map, std::uint64_t seed) {
     if (context_.options.bounces == 0) return;  // emission only
-    const std::vector<LightSample> samples = sample_lights(context_.scene, context_.flat, context_.forms, count, seed);
-    if (samples.empty()) return;
-    lights_ = LightSet(context_.kernels.device(), samples, map);
-    rasterize_octahedral(context_.kernels, context_.device_scene, lights_.maps, 0, lights_.maps.count);
+    samples_ = sample_lights(context_.scene, context_.flat, context_.forms, count, seed);
+    if (samples_.empty()) return;
+    lights_ = LightSet(context_.kernels.device(), samples_, map, !context_.kernels.features().bvh);
+    if (map > 0) rasterize_octahedral(context_.kernels, context_.device_scene, lights_.maps, 0, lights_.maps.count);
 }
 
 void Frame::add_direct() {

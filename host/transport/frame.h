@@ -48,6 +48,7 @@ public:
 
     const Film& film() const { return *film_; }
     const LightSet& lights() const { return lights_; }
+    const std::vector<LightSample>& light_samples() const { return samples_; }
     Buffer<float>& outgoing() { return outgoing_; }  // rgb per surfel of the film
     FilmLayers& layers() { return layers_; }
     std::vector<Layer> take_layers() { return layers_.take(film_->width(), film_->height()); }
@@ -58,6 +59,7 @@ private:
     RenderContext& context_;
     FilmLayers layers_;
     std::unique_ptr<Film> film_;
+    std::vector<LightSample> samples_;
     LightSet lights_;
     Buffer<float> outgoing_;
 };

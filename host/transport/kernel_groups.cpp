@@ -12,16 +12,17 @@ const std::vector<KernelGroup>& groups() {
         {{"packet", "octahedral", "triangle", "raster", "surfel"},
          {"rasterize_film", "classify_film", "film_surfels", "emit_surfels", "resolve_film"}},
         // Geometry maps, and direct light through them.
-        {{"packet", "hash", "octahedral", "triangle", "raster", "footprint", "surfel_packet", "visibility", "packet_visibility"},
-         {"rasterize_octahedral", "fold_hits", "light_surfels"}},
+        {{"packet", "hash", "octahedral", "triangle", "raster", "footprint", "surfel_packet", "bvh", "visibility", "packet_visibility",
+          "light_sample"},
+         {"rasterize_octahedral", "fold_hits", "light_surfels", "sample_lights"}},
         // Line projection.
-        {{"packet", "octahedral", "triangle", "surfel", "footprint", "surfel_packet", "visibility", "packet_visibility"},
+        {{"packet", "octahedral", "triangle", "surfel", "footprint", "surfel_packet", "bvh", "visibility", "packet_visibility"},
          {"find_enclosing", "find_sides", "gather_surfels", "test_visibility", "estimate_density", "project_pencils", "store_radiance",
           "smooth_radiance", "sum_radiance"}},
         // Surface pencils.
         {{"packet", "hash", "triangle", "surfel", "bvh", "hemisphere", "surface_pencil", "pencil_grid", "film_lattice"},
-         {"place_surface_pencils", "trace_hemispheres", "sum_hemispheres", "project_surface_pencils", "link_surfels",
-          "transport_irradiance", "cover_film", "smooth_irradiance", "project_film_pencils"}},
+         {"place_surface_pencils", "trace_hemispheres", "measure_hemispheres", "emit_hemispheres", "sum_hemispheres",
+          "project_surface_pencils", "link_surfels", "transport_irradiance", "cover_film", "smooth_irradiance", "project_film_pencils"}},
     };
     return all;
 }

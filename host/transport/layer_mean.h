@@ -9,7 +9,7 @@ namespace pencil {
 
 class LayerMean {
 public:
-    /// Adds an image that is worth `weight` (in proportion to the work in it). All images have the same layers.
+    /// Adds an image with its weight in the mean. All images have the same layers.
     void add(std::vector<Layer> layers, double weight);
 
     int count() const { return count_; }
@@ -25,9 +25,10 @@ private:
     double variance_of_mean(std::size_t i) const;
 
     int count_ = 0;
-    double weight_ = 0, square_weight_ = 0;
+    double weight_ = 0, weight2_ = 0, weight3_ = 0;  // sums of the weights' powers
     std::vector<Layer> mean_;
-    std::vector<double> spread_;  // sum of weight * (value - mean)^2 of the beauty
+    std::vector<double> value_, square_;  // sums of weight^2 * value and weight^2 * value^2 of the beauty, values less the first image's
+    std::vector<float> first_;            // beauty of the first image
 };
 
 }  // namespace pencil

@@ -75,26 +75,31 @@ private:
 
     /// Independent images until time or error tell to stop; their mean is the result.
     RenderResult render_passes() {
-        std::unique_ptr<DeviceBvh> bvh;
-        context_.clock.run("hierarchy",
-                           [&] { bvh = std::make_unique<DeviceBvh>(context_.kernels.device(), build_bvh(context_.flat.triangles)); });
         const std::uint64_t seed = hash64(context_.options.seed);
         LayerMean mean;
         double spent = seconds();
         for (int index = 0;; ++index) {
-            const SurfacePass pass = surface_pass(index, context_.options);
-            Frame frame(context_, aovs_, pass.light_samples, pass.light_map, seed + static_cast<std::uint64_t>(index));
+            const SurfacePass pass = surface_pass(index, context_.options, emitters());
+            Frame frame(context_, aovs_, pass.light_samples, 0, seed + static_cast<std::uint64_t>(index));
             const bool lit = add_direct(frame);
-            if (lit) add_surface_bounces(context_, *bvh, pass, frame, seed + static_cast<std::uint64_t>(index));
+            if (lit) add_surface_bounces(context_, pass, frame, seed + static_cast<std::uint64_t>(index));
             if (index > 0 && context_.clock.stopped()) break;  // half a pass is worth nothing beside whole ones
             mean.add(frame.take_layers(), pass.weight);
             const double now = seconds();
-            if (!lit || context_.clock.stopped() || enough(mean, index, (now - spent) / pass.weight)) break;
+            if (!lit || context_.clock.stopped() || enough(mean, index, (now - spent) / pass.work)) break;
             spent = now;
         }
         context_.stats.passes = mean.count();
         context_.stats.estimated_error = mean.relative_mean_square_error();
         return finish(mean.take(true));
+    }
+
+    /// Shapes whose light is sampled.
+    int emitters() const {
+        int count = 0;
+        for (std::size_t i = 0; i < context_.forms.size(); ++i)
+            count += context_.scene.shapes[i].emits && context_.forms[i] == LightForm::samples ? 1 : 0;
+        return count;
     }
 
     /// True if the next pass is not needed or would not end in time; `pace`: seconds per unit of work.
@@ -103,7 +108,7 @@ private:
         const double error = mean.relative_mean_square_error();
         if (options.seconds > 0) {
             context_.clock.set_fraction(std::min(seconds() / options.seconds, 1.0));
-            return seconds() + pace * surface_pass(index + 1, options).weight > options.seconds;
+            return seconds() + pace * surface_pass(index + 1, options, emitters()).work > options.seconds;
         }
         if (mean.count() >= 2) context_.clock.set_fraction(std::min(options.target_error / error, 1.0));
         return error <= options.target_error || index + 1 >= most_passes;

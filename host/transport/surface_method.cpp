@@ -3,13 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pencils/low_discrepancy.h"
+
 namespace pencil {
 
 namespace {
 
-/// Spacing of the film pencils whose texels show where light is reflected [pixels], and the width of their maps.
-constexpr int seed_spacing = 32;
-constexpr int seed_map = 8;
+/// Spacing of the film pencils whose texels show where light is reflected [pixels].
+constexpr int seed_spacing = 16;
+/// Width of the maps of film pencils: more pencils with few texels reach further than few with many.
+constexpr int film_map = 8;
+/// Light samples that a packet of texels draws.
+constexpr int light_draws = 2;
 
 int generation_of(int index) {
     int generation = 0;
@@ -19,34 +24,42 @@ int generation_of(int index) {
 
 }  // namespace
 
-SurfacePass surface_pass(int index, const RenderOptions& options) {
+SurfacePass surface_pass(int index, const RenderOptions& options, int emitters) {
     const int generation = generation_of(index);
-    const double finer = std::exp2(-0.5 * generation), more = 1.0 / finer;
+    const auto grown = [&](double exponent) { return std::exp2(exponent * generation); };
     SurfacePass pass{};
-    pass.weight = more;
-    pass.light_samples = std::max(static_cast<int>(std::lround(0.5 * options.light_samples * more)), 1);
-    pass.light_map = generation < 2 ? 128 : 256;
-    pass.world.pencils = static_cast<int>(std::lround(options.pencils * std::min(more * more, 64.0)));
-    pass.world.light_stride = std::max(pass.light_samples / 16, 1);
-    pass.lattice.coarsest = std::max(8 >> generation / 2, 2);
-    pass.lattice.most_error = static_cast<float>(0.35 * finer);
-    pass.lattice.smooth = static_cast<float>(0.25 * finer);
-    pass.lattice.map = generation < 4 ? 12 : 16;
+    pass.weight = grown(0.8);
+    pass.work = grown(0.5);
+    pass.light_samples =
+        std::max(static_cast<int>(std::lround(0.5 * options.light_samples * std::clamp(0.5 * emitters, 1.0, 4.0) * grown(0.5))), 1);
+    pass.texel_light_samples = 16 * pass.light_samples;
+    pass.world.pencils = static_cast<int>(std::lround(options.pencils * std::min(grown(0.75), 64.0)));
+    pass.world.light_draws = light_draws;
+    pass.lattice.coarsest = std::max(4 >> generation / 4, 2);
+    pass.lattice.most_error = static_cast<float>(0.175 * grown(-0.35));
+    pass.lattice.smooth = static_cast<float>(0.25 * grown(-0.25));
+    pass.lattice.map = film_map;
     return pass;
 }
 
-void add_surface_bounces(RenderContext& context, const DeviceBvh& bvh, const SurfacePass& pass, Frame& frame, std::uint64_t seed) {
-    if (!context.wanted(context.maps_emit ? 1 : 2) || context.clock.stopped()) return;
-    SurfaceSolver solver(context.kernels, context.device_scene, context.flat, bvh, frame.lights(), pass.world, context.clock, seed);
-    FilmPencils seeds(context.kernels, frame.film(), {seed_spacing, seed_spacing, 0.0F, seed_map, 0.0F});
+void add_surface_bounces(RenderContext& context, const SurfacePass& pass, Frame& frame, std::uint64_t seed) {
+    if (!context.wanted(1) || context.clock.stopped()) return;
+    const auto& device = context.kernels.device();
+    const std::vector<LightSample> samples =
+        sample_lights(context.scene, context.flat, context.forms, pass.texel_light_samples, hash64(seed + 1));
+    const SurfaceLights lights{samples.empty() ? LightSet() : LightSet(device, samples, 0, false),
+                               Buffer<float>(device, near_areas(context.flat, frame.light_samples()), "near areas of emitters"),
+                               Buffer<float>(device, near_areas(context.flat, samples), "near areas of emitters")};
+    SurfaceSolver solver(context.kernels, context.device_scene, context.flat, lights, pass.world, context.clock, seed);
+    FilmPencils seeds(context.kernels, frame.film(), {seed_spacing, seed_spacing, 0.0F, film_map, 0.0F});
     solver.solve(seeds.pencils(), context.options.bounces, context.options.tolerance);
     FilmPencils film(context.kernels, frame.film(), pass.lattice);
     context.clock.run("film pencils", [&] { film.refine(solver); });
     context.stats.world_pencils += static_cast<std::uint64_t>(solver.world().count);
-    context.stats.film_pencils += static_cast<std::uint64_t>(film.pencils().count);
+    context.stats.film_pencils += static_cast<std::uint64_t>(film.count());
     context.stats.residual = solver.residual();
     context.clock.run("project film", [&] { film.project(frame.outgoing()); });
-    frame.finish_bounce(FilmLayers::indirect, film.pencils().count, 0);
+    frame.finish_bounce(FilmLayers::indirect, film.count(), 0);
 }
 
 }  // namespace pencil

@@ -10,17 +10,20 @@ namespace pencil {
 
 /// What one pass spends where.
 struct SurfacePass {
-    int light_samples;
-    int light_map;  // width of a light sample's map [texels]
-    WorldSet world;
+    int light_samples;        // of the film
+    int texel_light_samples;  // that texels of surface pencils draw from
+    WorldQuality world;
     FilmLattice lattice;
-    double weight;  // work in proportion to the first pass: its share of the mean
+    double weight;  // its share of the mean, in proportion to the first pass
+    double work;    // about how long it takes, in proportion to the first pass
 };
 
-/// Pass `index`: each generation has twice the passes of the last, with reuse errors smaller by sqrt(2) and more pencils and light samples.
-SurfacePass surface_pass(int index, const RenderOptions& options);
+/// Pass `index`: each generation has twice the passes of the last, with smaller reuse errors, more pencils and more light samples;
+/// `emitters`: shapes that light samples are spread over. The exponents keep the error of interpolation below the noise of the mean as both
+/// fall (docs/accuracy.md).
+SurfacePass surface_pass(int index, const RenderOptions& options, int emitters);
 
 /// Adds all reflections from order 2 on (from 1 where maps carry emitters) to the frame, as one layer "indirect".
-void add_surface_bounces(RenderContext& context, const DeviceBvh& bvh, const SurfacePass& pass, Frame& frame, std::uint64_t seed);
+void add_surface_bounces(RenderContext& context, const SurfacePass& pass, Frame& frame, std::uint64_t seed);
 
 }  // namespace pencil

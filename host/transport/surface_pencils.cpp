@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace pencil {
 
@@ -27,7 +28,8 @@ void for_cells(const PencilGrid& grid, const SurfacePencil& pencil, Visit visit)
 
 }  // namespace
 
-DeviceGrid::DeviceGrid(const std::shared_ptr<Device>& device, const std::vector<SurfacePencil>& pencils, const FlatScene& flat) {
+DeviceGrid::DeviceGrid(const std::shared_ptr<Device>& device, const SurfacePencils& set, const FlatScene& flat) {
+    const std::vector<SurfacePencil> pencils = set.data.read(0, static_cast<std::size_t>(set.count));
     const glm::vec3 extent(flat.high - flat.low);
     float size = std::max({extent.x, extent.y, extent.z}) / static_cast<float>(most_cells);
     for (const SurfacePencil& p : pencils) size = std::max(size, 0.5F * p.normal.w);
@@ -36,14 +38,24 @@ DeviceGrid::DeviceGrid(const std::shared_ptr<Device>& device, const std::vector<
     grid.size_x = cells.x;
     grid.size_y = cells.y;
     grid.size_z = cells.z;
-    std::vector<int> start(static_cast<std::size_t>(cells.x * cells.y * cells.z) + 1, 0);
-    for (const SurfacePencil& p : pencils) for_cells(grid, p, [&](std::size_t cell) { ++start[cell + 1]; });
-    for (std::size_t c = 1; c < start.size(); ++c) start[c] += start[c - 1];
-    std::vector<int> entry(static_cast<std::size_t>(start.back())), next(start.begin(), start.end() - 1);
-    for (std::size_t i = 0; i < pencils.size(); ++i)
-        for_cells(grid, pencils[i], [&](std::size_t cell) { entry[static_cast<std::size_t>(next[cell]++)] = static_cast<int>(i); });
+    const auto width = static_cast<std::size_t>(device->packet_width());
+    std::vector<int> count(static_cast<std::size_t>(cells.x * cells.y * cells.z), 0), start(count.size() + 1, 0);
+    for (const SurfacePencil& p : pencils) for_cells(grid, p, [&](std::size_t cell) { ++count[cell]; });
+    for (std::size_t c = 0; c < count.size(); ++c)
+        start[c + 1] = start[c] + (count[c] + static_cast<int>(width) - 1) / static_cast<int>(width);
+    std::vector<float> entry(std::max<std::size_t>(static_cast<std::size_t>(start.back()), 1) * ENTRY_FIELDS * width, 0.0F);
+    for (std::size_t i = pencils.size(); i-- > 0;)
+        for_cells(grid, pencils[i], [&](std::size_t cell) {
+            const auto at = static_cast<std::size_t>(--count[cell]);
+            float* block = entry.data() + (static_cast<std::size_t>(start[cell]) + at / width) * ENTRY_FIELDS * width + at % width;
+            const SurfacePencil& p = pencils[i];
+            const float values[] = {p.position.x, p.position.y, p.position.z, p.normal.w, p.normal.x, p.normal.y, p.normal.z};
+            for (std::size_t f = 0; f < ENTRY_PENCIL; ++f) block[f * width] = values[f];
+            const int index = static_cast<int>(i);
+            std::memcpy(block + ENTRY_PENCIL * width, &index, sizeof(index));
+        });
     starts = Buffer<int>(device, start, "grid of surface pencils");
-    entries = Buffer<int>(device, entry, "entries of the grid");
+    entries = Buffer<float>(device, entry, "entries of the grid");
 }
 
 void SurfacePencils::reserve(const std::shared_ptr<Device>& device, std::size_t more) {
@@ -54,32 +66,58 @@ void SurfacePencils::reserve(const std::shared_ptr<Device>& device, std::size_t 
     data = std::move(larger);
 }
 
-void place_surface_pencils(Kernels& kernels, const Surfels& surfels, const std::vector<int>& chosen, float radius, SurfacePencils& pencils,
-                           float spacing) {
+void place_surface_pencils(Kernels& kernels, const Surfels& surfels, const std::vector<int>& chosen, const std::vector<float4>& viewers,
+                           float radius, SurfacePencils& pencils, float spacing) {
     if (chosen.empty()) return;
     pencils.reserve(kernels.device(), chosen.size());
     const Buffer<int> ids(kernels.device(), chosen, "chosen surfels");
+    const Buffer<float4> from(kernels.device(), viewers, "viewers of chosen surfels");
     const int count = static_cast<int>(chosen.size());
     kernels.get("place_surface_pencils")
-        .args(surfels.data, surfels.capacity, ids, count, radius, spacing, pencils.count, pencils.data)
+        .args(surfels.data, surfels.capacity, ids, from, count, radius, spacing, pencils.count, pencils.data)
         .run(chosen.size(), "place surface pencils");
     pencils.count += count;
 }
 
-void trace_hemispheres(Kernels& kernels, const DeviceScene& scene, const DeviceBvh& bvh, const SurfacePencils& pencils, int first,
-                       int count, uint seed, Surfels& surfels, Buffer<float>& distances) {
-    surfels.count = count * pencils.texels();
+void trace_hemispheres(Kernels& kernels, const DeviceScene& scene, const SurfacePencils& pencils, int first, int count, uint seed,
+                       Surfels& surfels, int first_surfel) {
+    const int texels = count * pencils.texels();
+    surfels.count = first_surfel + texels;
     kernels.get("trace_hemispheres")
-        .args(pencils.data, first, count, pencils.n, seed, bvh.nodes, bvh.leaves, scene.triangles, scene.planes, scene.materials,
-              scene.normals, surfels.data, surfels.capacity, distances)
-        .run(kernels.packets(surfels.count), "trace hemispheres");
+        .args(pencils.data, first, count, pencils.n, seed, scene.nodes, scene.leaves, scene.triangles, scene.planes, scene.materials,
+              scene.normals, surfels.data, surfels.capacity, first_surfel)
+        .run(kernels.packets(texels), "trace hemispheres");
 }
 
-void sum_hemispheres(Kernels& kernels, const Buffer<float>& radiance, const Buffer<float>& distances, int capacity, int first, int count,
+void measure_hemispheres(Kernels& kernels, const Surfels& surfels, int first_surfel, int first, int count, SurfacePencils& pencils) {
+    kernels.get("measure_hemispheres")
+        .args(surfels.data, surfels.capacity, first_surfel, first, count, pencils.n, pencils.data)
+        .run(static_cast<std::size_t>(count), "measure hemispheres", 8);
+}
+
+void emit_hemispheres(Kernels& kernels, const DeviceScene& scene, const Surfels& surfels, const SurfacePencils& pencils, int first,
+                      const Buffer<float>& near_area, Buffer<float>& radiance) {
+    kernels.get("emit_hemispheres")
+        .args(surfels.data, surfels.capacity, surfels.count, pencils.data, first, pencils.n, scene.materials, near_area, radiance)
+        .run(static_cast<std::size_t>(surfels.count), "emission");
+}
+
+void sum_hemispheres(Kernels& kernels, const Buffer<float>& radiance, int capacity, int first_surfel, int first, int count,
                      SurfacePencils& pencils) {
     kernels.get("sum_hemispheres")
-        .args(radiance, distances, capacity, first, count, pencils.n, pencils.data)
+        .args(radiance, capacity, first_surfel, first, count, pencils.n, pencils.data)
         .run(static_cast<std::size_t>(count), "sum hemispheres", 8);
+}
+
+SurfaceLinks link_surfels(Kernels& kernels, const Surfels& surfels, const SurfacePencils& pencils, const DeviceGrid& grid) {
+    const auto count = static_cast<std::size_t>(surfels.count);
+    SurfaceLinks links{Buffer<glm::ivec4>(kernels.device(), count, "links of surfels"),
+                       Buffer<float4>(kernels.device(), count, "link weights of surfels")};
+    kernels.get("link_surfels")
+        .args(surfels.data, surfels.capacity, surfels.count, pencils.data, grid.grid, grid.starts, grid.entries, links.pencils,
+              links.weights)
+        .run(count, "link surfels");
+    return links;
 }
 
 void project_surface_pencils(Kernels& kernels, const Surfels& surfels, const SurfacePencils& pencils, const DeviceGrid& grid,

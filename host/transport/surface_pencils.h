@@ -1,7 +1,6 @@
 // Pencils on surfaces, in device memory, with the kernels that place, trace and sum them.
 #pragma once
 
-#include "pencils/build_bvh.h"
 #include "shared/surface_pencil.h"
 #include "transport/device_scene.h"
 #include "transport/features.h"
@@ -9,14 +8,6 @@
 #include "transport/surfels.h"
 
 namespace pencil {
-
-/// The hierarchy of the scene's triangles in device memory.
-struct DeviceBvh {
-    DeviceBvh(const std::shared_ptr<Device>& device, const Bvh& bvh)
-        : nodes(device, bvh.nodes, "hierarchy"), leaves(device, bvh.leaves, "leaves of the hierarchy") {}
-    Buffer<BvhNode> nodes;
-    Buffer<int> leaves;
-};
 
 /// Pencils and room for more; maps are not kept, only their sums.
 struct SurfacePencils {
@@ -35,22 +26,37 @@ struct SurfacePencils {
 /// The pencils of a set sorted into cells.
 struct DeviceGrid {
     DeviceGrid() = default;
-    DeviceGrid(const std::shared_ptr<Device>& device, const std::vector<SurfacePencil>& pencils, const FlatScene& flat);
+    DeviceGrid(const std::shared_ptr<Device>& device, const SurfacePencils& pencils, const FlatScene& flat);
     PencilGrid grid{};
-    Buffer<int> starts, entries;
+    Buffer<int> starts;  // blocks of each cell
+    Buffer<float> entries;
 };
 
-/// Appends pencils on the chosen surfels; `radius` [scene units] is how far they may be used through a grid.
-void place_surface_pencils(Kernels& kernels, const Surfels& surfels, const std::vector<int>& chosen, float radius, SurfacePencils& pencils,
-                           float spacing = 0);
+/// Appends pencils on the chosen surfels, seen from `viewers` [as many]; `radius` [scene units] is how far they may be used through a grid.
+void place_surface_pencils(Kernels& kernels, const Surfels& surfels, const std::vector<int>& chosen, const std::vector<float4>& viewers,
+                           float radius, SurfacePencils& pencils, float spacing = 0);
 
-/// Surfels and distances [scene units] that the texels of pencils first .. first + count see.
-void trace_hemispheres(Kernels& kernels, const DeviceScene& scene, const DeviceBvh& bvh, const SurfacePencils& pencils, int first,
-                       int count, uint seed, Surfels& surfels, Buffer<float>& distances);
+/// Surfels, from first_surfel on, that the texels of pencils first .. first + count see; surfels.count becomes the end of them.
+void trace_hemispheres(Kernels& kernels, const DeviceScene& scene, const SurfacePencils& pencils, int first, int count, uint seed,
+                       Surfels& surfels, int first_surfel = 0);
 
-/// Irradiance, harmonic mean distance and horizon of pencils first .. first + count from what their texels send.
-void sum_hemispheres(Kernels& kernels, const Buffer<float>& radiance, const Buffer<float>& distances, int capacity, int first, int count,
+/// Harmonic mean distance and horizon of pencils first .. first + count from what their texels see.
+void measure_hemispheres(Kernels& kernels, const Surfels& surfels, int first_surfel, int first, int count, SurfacePencils& pencils);
+
+/// Adds emission that pencils first .. see, of emitters near them in terms of near_area[material] (near_areas).
+void emit_hemispheres(Kernels& kernels, const DeviceScene& scene, const Surfels& surfels, const SurfacePencils& pencils, int first,
+                      const Buffer<float>& near_area, Buffer<float>& radiance);
+
+/// Irradiance of pencils first .. first + count from what their texels send.
+void sum_hemispheres(Kernels& kernels, const Buffer<float>& radiance, int capacity, int first_surfel, int first, int count,
                      SurfacePencils& pencils);
+
+/// The pencils near each surfel and their weights.
+struct SurfaceLinks {
+    Buffer<glm::ivec4> pencils;  // -1: none
+    Buffer<float4> weights;
+};
+SurfaceLinks link_surfels(Kernels& kernels, const Surfels& surfels, const SurfacePencils& pencils, const DeviceGrid& grid);
 
 /// Adds reflected irradiance of the pencils near each surfel.
 void project_surface_pencils(Kernels& kernels, const Surfels& surfels, const SurfacePencils& pencils, const DeviceGrid& grid,

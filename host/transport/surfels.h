@@ -1,6 +1,8 @@
 // Surfels in device memory, structure of arrays (kernels/shared/surfel.h), and rgb values per surfel.
 #pragma once
 
+#include <algorithm>
+
 #include "cl/buffer.h"
 #include "shared/surfel.h"
 
@@ -18,6 +20,17 @@ struct Surfels {
           count(surfel_count),
           data(device, static_cast<std::size_t>(capacity) * SURFEL_FIELDS, what) {
         data.fill_zero();
+    }
+
+    /// Makes room for `more` surfels behind the `count` present ones.
+    void reserve(const std::shared_ptr<Device>& device, int more, const std::string& what) {
+        if (count + more <= capacity) return;
+        Surfels larger(device, std::max(count + more, 2 * capacity), what);
+        for (int f = 0; f < SURFEL_FIELDS && count > 0; ++f)
+            larger.data.copy_from(data, static_cast<std::size_t>(f) * static_cast<std::size_t>(capacity),
+                                  static_cast<std::size_t>(f) * static_cast<std::size_t>(larger.capacity), static_cast<std::size_t>(count));
+        larger.count = count;
+        *this = std::move(larger);
     }
 
     int capacity = 0;

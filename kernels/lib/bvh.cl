@@ -40,7 +40,7 @@ inline vint packet_meets_box(const RayPacket *r, float4 low, float4 high, vfloat
 /// Meets one triangle. Nearer wins, at equal disparity the lower index.
 inline void packet_meet_triangle(RayPacket *r, global const Triangle *t, int index, float4 plane, float4 origin) {
     float ahead = plane_ahead(plane, origin);
-    if (fabs(ahead) < PLANE_TOLERANCE) return;
+    if (ahead == 0.0f) return;
     float side = ahead > 0.0f ? 1.0f : -1.0f;
     float4 a = t->v0 - origin, b = t->v1 - origin, c = t->v2 - origin;
     float4 ab = edge_normal(a, b) * side, bc = edge_normal(b, c) * side, ca = edge_normal(c, a) * side, w = plane / ahead;
@@ -55,8 +55,8 @@ inline void packet_meet_triangle(RayPacket *r, global const Triangle *t, int ind
     r->triangle = select(r->triangle, (vint)(index), meets);
 }
 
-/// Follows the rays through the whole scene.
-inline void packet_trace(RayPacket *r, float4 origin, global const BvhNode *nodes, global const int *leaves,
+/// Follows the rays through the whole scene but for the plane `own` that they start on. All other planes stop rays, however near they are.
+inline void packet_trace(RayPacket *r, float4 origin, int own, global const BvhNode *nodes, global const int *leaves,
                          global const Triangle *triangles, global const float4 *planes) {
     int stack[BVH_MOST_LEVELS + 1];
     int depth = 0;
@@ -70,7 +70,8 @@ inline void packet_trace(RayPacket *r, float4 origin, global const BvhNode *node
             if (!meets[k] || node->count[k] == 0) continue;
             for (int i = node->child[k]; i < node->child[k] + node->count[k]; ++i) {
                 int triangle = leaves[i];
-                packet_meet_triangle(r, triangles + triangle, triangle, planes[triangles[triangle].plane], origin);
+                int plane = triangles[triangle].plane;
+                if (plane != own) packet_meet_triangle(r, triangles + triangle, triangle, planes[plane], origin);
             }
             meets[k] = false;
         }

@@ -119,3 +119,19 @@ inline void packet_store_packed(vint v, int bits, int *to) {
     for (; bits; bits &= bits - 1) *to++ = LANE_INT(v, LOWEST_LANE(bits));
 #endif
 }
+
+/// Sum of the lanes.
+inline float packet_sum(vfloat v) {
+#if PENCIL_WIDTH == 16
+    float8 a = v.lo + v.hi;
+    float4 b = a.lo + a.hi;
+    return (b.x + b.y) + (b.z + b.w);
+#elif PENCIL_WIDTH == 8
+    float4 b = v.lo + v.hi;
+    return (b.x + b.y) + (b.z + b.w);
+#elif PENCIL_WIDTH == 4
+    return (v.x + v.y) + (v.z + v.w);
+#else
+    return v;
+#endif
+}

@@ -1,6 +1,7 @@
 // Visibility of packets of surfels from one centre, by the rules of visibility.cl. Cells settle most lanes; what they leave open is settled
 // for all lanes at once that share a blocker, then for all lanes at once that share the triangles about their footprints: neighbouring
-// lanes mostly do. Sets of lanes are bits of an int here. Needs packet.cl, surfel_packet.cl, footprint.cl, visibility.cl.
+// lanes mostly do. Sets of lanes are bits of an int here. With PENCIL_BVH rays settle what cells and planes leave
+// open, exactly; where there are no maps (n = 0), everything. Needs packet.cl, surfel_packet.cl, footprint.cl, visibility.cl, bvh.cl.
 
 /// A packet of surfels as a tile meets it. A block of packets is aimed before the first is tested, so that the memory which the tests need
 /// is on its way: the maps of a set are larger than the near caches.
@@ -12,6 +13,7 @@ typedef struct Aimed {
 
 /// Footprints in `tile` of the directions v. Neighbouring lanes mostly share the cache line of their cells.
 inline void aim_packet(const VisibilityMap *map, int tile, vfloat vx, vfloat vy, vfloat vz, Aimed *aimed) {
+    if (PENCIL_BVH && map->n == 0) return;
     aimed->f = packet_footprint(vx, vy, vz, map->n);
     aimed->f.index += tile * PENCIL_TILE_TEXELS(map->n);
 #pragma unroll
@@ -69,6 +71,31 @@ inline int seen_past_group(const SurfelPacket *s, const VisibilityMap *map, cons
     return lanes;
 }
 
+/// Those of `open` that are seen from `cop`, by rays through the hierarchy of the scene.
+inline int settle_by_rays(const SurfelPacket *s, const VisibilityMap *map, float4 cop, int open) {
+    RayPacket rays = ray_packet(s->x - cop.x, s->y - cop.y, s->z - cop.z);
+    int stack[BVH_MOST_LEVELS + 1];
+    int depth = 0;
+    stack[depth++] = 0;
+    while (depth > 0 && open) {
+        global const BvhNode *node = map->nodes + stack[--depth];
+        rays.nearest = select((vfloat)(-1.0f), (vfloat)(1.0f), PACKET_FROM_BITS(open));
+        for (int k = 0; k < 2; ++k) {
+            vfloat entry;
+            if (!PACKET_ANY(packet_meets_box(&rays, node->low[k] - cop, node->high[k] - cop, &entry))) continue;
+            if (node->count[k] == 0) stack[depth++] = node->child[k];
+            for (int i = node->child[k]; i < node->child[k] + node->count[k]; ++i) {
+                global const Triangle *triangle = map->triangles + map->leaves[i];
+                float4 plane = map->planes[triangle->plane];
+                float ahead = plane_ahead(plane, cop);
+                int behind = fabs(ahead) < PLANE_TOLERANCE ? 0 : open & packet_behind(s, plane, cop);
+                if (behind) open &= ~(behind & packet_meets_triangle(s, triangle, cop, ahead > 0.0f ? 1.0f : -1.0f));
+            }
+        }
+    }
+    return open;
+}
+
 /// Those of `open` that are seen although neither their cells nor a plane settle it, by rules 1 to 3 of visibility.cl.
 inline int settle_by_triangles(const SurfelPacket *s, const VisibilityMap *map, const Footprint *f, int tile, float4 cop, int open) {
     int seen = 0;
@@ -117,12 +144,14 @@ inline int settle_by_planes(const SurfelPacket *s, const VisibilityMap *map, con
         unsettled |= alike & behind & ~filled_lanes;
         rest &= ~alike;
     }
-    return unsettled ? seen | settle_by_triangles(s, map, f, tile, cop, unsettled) : seen;
+    if (!unsettled) return seen;
+    return seen | (PENCIL_BVH ? settle_by_rays(s, map, cop, unsettled) : settle_by_triangles(s, map, f, tile, cop, unsettled));
 }
 
 /// Lanes of an aimed packet that are seen from `cop`, the centre of `tile`.
 inline int packet_visible(const SurfelPacket *s, const VisibilityMap *map, const Aimed *aimed, int tile, float4 cop) {
     if (!aimed->faces) return 0;
+    if (PENCIL_BVH && map->n == 0) return settle_by_rays(s, map, cop, aimed->faces);
     int cells[2 * PENCIL_WIDTH];
 #pragma unroll
     for (int l = 0; l < PENCIL_WIDTH; ++l) vstore2(map->cells[LANE_INT(aimed->f.index, l)], l, cells);

@@ -10,8 +10,41 @@ typedef struct PencilLinks {
     float weight[LINKS];
 } PencilLinks;
 
+inline void insert_link(PencilLinks *links, int index, float weight) {
+    for (int k = 0; k < LINKS; ++k)
+        if (weight > links->weight[k]) {
+            float w = links->weight[k];
+            int i = links->index[k];
+            links->weight[k] = weight;
+            links->index[k] = index;
+            weight = w;
+            index = i;
+        }
+}
+
+/// Entries of one block within whose radius x lies and that face the same way.
+inline vint block_reaches(global const float *block, float3 x, float3 n, vfloat *distance, vfloat *cosine) {
+    vfloat sx = x.x - PACKET_LOAD(block + ENTRY_X * PENCIL_WIDTH), sy = x.y - PACKET_LOAD(block + ENTRY_Y * PENCIL_WIDTH),
+           sz = x.z - PACKET_LOAD(block + ENTRY_Z * PENCIL_WIDTH);
+    vfloat nx = PACKET_LOAD(block + ENTRY_NX * PENCIL_WIDTH), ny = PACKET_LOAD(block + ENTRY_NY * PENCIL_WIDTH),
+           nz = PACKET_LOAD(block + ENTRY_NZ * PENCIL_WIDTH);
+    vfloat radius = PACKET_LOAD(block + ENTRY_RADIUS * PENCIL_WIDTH);
+    *distance = sqrt(fma(sx, sx, fma(sy, sy, sz * sz)));
+    *cosine = fma(nx, (vfloat)(n.x), fma(ny, (vfloat)(n.y), nz * n.z));
+    return PACKET_MASK(*distance < radius) & PACKET_MASK(*cosine >= REUSE_LEAST_COSINE);
+}
+
+/// Those of them on whose surface x lies.
+inline vint block_level(global const float *block, float3 x, float3 n, vfloat distance) {
+    vfloat sx = x.x - PACKET_LOAD(block + ENTRY_X * PENCIL_WIDTH), sy = x.y - PACKET_LOAD(block + ENTRY_Y * PENCIL_WIDTH),
+           sz = x.z - PACKET_LOAD(block + ENTRY_Z * PENCIL_WIDTH);
+    vfloat nx = n.x + PACKET_LOAD(block + ENTRY_NX * PENCIL_WIDTH), ny = n.y + PACKET_LOAD(block + ENTRY_NY * PENCIL_WIDTH),
+           nz = n.z + PACKET_LOAD(block + ENTRY_NZ * PENCIL_WIDTH);
+    return PACKET_MASK(fabs(fma(sx, nx, fma(sy, ny, sz * nz))) <= 2.0f * REUSE_MOST_SLOPE * distance + REUSE_TINY);
+}
+
 inline PencilLinks nearest_pencils(global const SurfacePencil *pencils, PencilGrid grid, global const int *starts,
-                                   global const int *entries, float3 x, float3 n) {
+                                   global const float *entries, float3 x, float3 n) {
     PencilLinks links = {{-1, -1, -1, -1}, {0.0f, 0.0f, 0.0f, 0.0f}};
     int3 cell = convert_int3((x - grid.low.xyz) * grid.low.w);
     cell = clamp(cell, (int3)(0), (int3)(grid.size_x - 1, grid.size_y - 1, grid.size_z - 1));
@@ -19,25 +52,24 @@ inline PencilLinks nearest_pencils(global const SurfacePencil *pencils, PencilGr
     float least = INFINITY;
     int last = -1;
     for (int e = starts[at]; e < starts[at + 1]; ++e) {
-        global const SurfacePencil *p = pencils + entries[e];
-        float3 step = x - p->position.xyz;
-        float square = dot(step, step);
-        if (square < least && square < p->normal.w * p->normal.w && dot(p->normal.xyz, n) >= REUSE_LEAST_COSINE) {
-            least = square;
-            last = entries[e];
+        global const float *block = entries + (size_t)e * (ENTRY_FIELDS * PENCIL_WIDTH);
+        global const int *index = (global const int *)(block + ENTRY_PENCIL * PENCIL_WIDTH);
+        vfloat distance, cosine;
+        vint reaches = block_reaches(block, x, n, &distance, &cosine);
+        int reached = PACKET_BITS(reaches), level = reached ? PACKET_BITS(reaches & block_level(block, x, n, distance)) : 0;
+        vfloat closeness = fmax(1.0f - distance / PACKET_LOAD(block + ENTRY_RADIUS * PENCIL_WIDTH), (vfloat)(0.0f));
+        vfloat weight = closeness * closeness * cosine;
+        for (int bits = level; bits; bits &= bits - 1) {
+            int l = LOWEST_LANE(bits);
+            global const SurfacePencil *p = pencils + index[l];
+            if (clear_horizon(p, x - p->position.xyz)) insert_link(&links, index[l], LANE_FLOAT(weight, l));
         }
-        float reach = 1.0f - reuse_distance(p, x, n, p->normal.w) / p->normal.w;
-        if (!(reach > 0.0f)) continue;
-        float weight = reach * reach * dot(p->normal.xyz, n);
-        for (int k = 0, index = entries[e]; k < LINKS; ++k)
-            if (weight > links.weight[k]) {
-                float w = links.weight[k];
-                int i = links.index[k];
-                links.weight[k] = weight;
-                links.index[k] = index;
-                weight = w;
-                index = i;
-            }
+        for (int bits = links.index[0] < 0 ? reached : 0; bits; bits &= bits - 1) {
+            int l = LOWEST_LANE(bits);
+            if (LANE_FLOAT(distance, l) >= least) continue;
+            least = LANE_FLOAT(distance, l);
+            last = index[l];
+        }
     }
     float sum = links.weight[0] + links.weight[1] + links.weight[2] + links.weight[3];
     for (int k = 0; k < LINKS; ++k) links.weight[k] = sum > 0.0f ? links.weight[k] / sum : 0.0f;

@@ -11,10 +11,12 @@
 #define REUSE_TURN 0.5f
 
 /// True if nothing at the horizon of the pencil lies between it and the point at `step` from it.
-inline bool clear_horizon(global const SurfacePencil *p, float3 step, float distance) {
+inline bool clear_horizon(global const SurfacePencil *p, float3 step) {
     float3 t, b;
     tangent_frame(p->normal.xyz, &t, &b);
-    return distance < p->ring[ring_sector(dot(step, t), dot(step, b))];
+    float x = dot(step, t), y = dot(step, b);
+    int sector = ring_sector(x, y);
+    return x * p->horizon_x[sector] + y * p->horizon_y[sector] < 1.0f;
 }
 
 /// Distance from the pencil to x if it is at most `most` and the pencil's irradiance may be used there, INFINITY otherwise.
@@ -27,7 +29,7 @@ inline float reuse_distance(global const SurfacePencil *p, float3 x, float3 n, f
     float distance = sqrt(square);
     if (distance < REUSE_TINY) return 0.0f;
     if (fabs(dot(step, normal + n)) > 2.0f * REUSE_MOST_SLOPE * distance) return INFINITY;
-    return clear_horizon(p, step, distance) ? distance : INFINITY;
+    return clear_horizon(p, step) ? distance : INFINITY;
 }
 
 /// Ward's estimate of the relative change of irradiance from the pencil to a point at `distance` from it with normal n.

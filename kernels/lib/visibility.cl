@@ -14,7 +14,9 @@ typedef struct VisibilityMap {
     global const Hit *hits;
     global const Triangle *triangles;
     global const float4 *planes;
-    int n;
+    int n;                        // 0: no maps, only the hierarchy
+    global const BvhNode *nodes;  // null unless PENCIL_BVH
+    global const int *leaves;
 } VisibilityMap;
 
 /// True if the segment from cop to x crosses triangle `index` or one of its mates in front of x.

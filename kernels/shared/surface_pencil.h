@@ -17,11 +17,18 @@ typedef struct SurfacePencil {
     float4 facing;      // xyz: unit geometric normal of that side; w unused
     float4 irradiance;  // rgb [W m^-2]; w unused
     //------------------------------------------------- 64 B
-    float ring[RING_SECTORS];  // distance to the nearest thing at the horizon, per sector [scene units]
-    //------------------------------------------------- 96 B
+    // What stands at the horizon of each sector: points p of the tangent plane with p.x horizon_x + p.y horizon_y >= 1 are behind it; 0 if
+    // nothing does [1 / scene units]
+    float horizon_x[RING_SECTORS];
+    float horizon_y[RING_SECTORS];
+    //------------------------------------------------- 128 B
+    int plane;  // of the surface that it lies on: index into planes
+    int unused[3];
+    //------------------------------------------------- 144 B
 } SurfacePencil;
 
-// Pencils sorted into the cells of a grid over the scene; a pencil is in every cell that its radius reaches.
+// Pencils sorted into the cells of a grid over the scene; a pencil is in every cell that its radius reaches. A cell is a run of blocks of
+// PENCIL_WIDTH entries, fields one after the other; the last block is filled with entries of radius 0.
 typedef struct PencilGrid {
     float4 low;  // xyz: lowest corner; w: 1 / size of a cell [1 / scene units]
     int size_x;  // cells along each axis
@@ -30,6 +37,16 @@ typedef struct PencilGrid {
     int unused;
     //------------------------------------------------- 32 B
 } PencilGrid;
+
+#define ENTRY_X 0  // position [scene units]
+#define ENTRY_Y 1
+#define ENTRY_Z 2
+#define ENTRY_RADIUS 3
+#define ENTRY_NX 4  // normal
+#define ENTRY_NY 5
+#define ENTRY_NZ 6
+#define ENTRY_PENCIL 7  // index as int bits
+#define ENTRY_FIELDS 8
 
 PENCIL_SHARED_END
 

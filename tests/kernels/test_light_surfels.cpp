@@ -90,6 +90,38 @@ TEST(LightSurfels, AmongOccludersWithTheMapsVisibility) {
     }
 }
 
+/// Surfels whose light is not what the exact visibility of all samples gives, with maps of n x n texels, 0: rays only.
+int wrong_with_rays(int n) {
+    Random random(97);
+    const TestScene scene = room_scene(98, 60);
+    Features features;
+    features.bvh = true;
+    Kernels kernels(device(), features);
+    const DeviceScene on_device(device(), scene.flat, build_bvh(scene.flat.triangles));
+    const std::vector<LightSample> samples = random_lights(random, 9);
+    LightSet lights(device(), samples, n, false);
+    if (n > 0) rasterize_octahedral(kernels, on_device, lights.maps, 0, lights.maps.count);
+    const Surfels surfels = gathered(kernels, on_device, random_centres(random, 3), 16, 768);
+    Buffer<float> outgoing = surfel_rgb(device(), surfels.capacity, "outgoing");
+    light_surfels(kernels, on_device, surfels, lights, outgoing, "test");
+    const HostSurfels host(surfels);
+    const std::vector<float> rgb = outgoing.read();
+    int wrong = 0;
+    for (int i = 0; i < host.count; ++i) {
+        const ref::DirectLight e = ref::direct_irradiance(samples, scene.triangles, host.position(i), host.normal(i), host.plane(i));
+        const dvec3 expected = ref::scattered_radiance(host.albedo(i), e.irradiance), got = rgb_at(rgb, host.capacity, i);
+        if (e.margin > 1e-5 && glm::length(got - expected) > tolerance::accumulation * glm::length(expected)) ++wrong;
+    }
+    return wrong;
+}
+
+TEST(LightSurfels, RaysSettleOccluders) {
+    EXPECT_EQ(wrong_with_rays(0), 0);
+    const int coarse = wrong_with_rays(16), fine = wrong_with_rays(64);
+    EXPECT_LE(fine, 10) << "things between the texels of a map are missed";
+    EXPECT_LE(fine, coarse);
+}
+
 TEST(LightSurfels, BoundedAtTheLight) {
     // A light sample right above a surface: radiance tends to that of the emitter, E <= pi L, however near it is.
     Random random(95);

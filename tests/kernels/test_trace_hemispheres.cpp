@@ -1,5 +1,7 @@
 // Hemispheres of surface pencils: rays through the hierarchy meet what brute force meets, directions are cosine-distributed about the
 // normal, and sums over them are irradiance.
+#include <glm/common.hpp>
+
 #include "kernel_test.h"
 #include "transport/surface_pencils.h"
 
@@ -11,7 +13,6 @@ using namespace pencil::test;
 struct Traced {
     SurfacePencils pencils;
     Surfels surfels;
-    Buffer<float> distances;
 };
 
 std::vector<SurfacePencil> random_pencils(std::uint32_t seed, int count) {
@@ -23,20 +24,19 @@ std::vector<SurfacePencil> random_pencils(std::uint32_t seed, int count) {
         p.position = to_float4(random.in_box(-0.7, 0.7));
         p.normal = to_float4(normal, 0.1);
         p.facing = to_float4(normal);
+        p.plane = -1;  // in free space
         pencils.push_back(p);
     }
     return pencils;
 }
 
 Traced trace(Kernels& kernels, const TestScene& scene, const std::vector<SurfacePencil>& placed, int n) {
-    const DeviceScene on_device(device(), scene.flat);
-    const DeviceBvh bvh(device(), build_bvh(scene.flat.triangles));
+    const DeviceScene on_device(device(), scene.flat, build_bvh(scene.flat.triangles));
     const int count = static_cast<int>(placed.size());
-    Traced t{SurfacePencils(device(), count, n), Surfels(device(), count * n * n, "surfels"), Buffer<float>()};
-    t.distances = Buffer<float>(device(), static_cast<std::size_t>(t.surfels.capacity), "distances");
+    Traced t{SurfacePencils(device(), count, n), Surfels(device(), count * n * n, "surfels")};
     t.pencils.data.write(placed);
     t.pencils.count = count;
-    trace_hemispheres(kernels, on_device, bvh, t.pencils, 0, count, 7, t.surfels, t.distances);
+    trace_hemispheres(kernels, on_device, t.pencils, 0, count, 7, t.surfels);
     return t;
 }
 
@@ -51,16 +51,15 @@ TEST(TraceHemispheres, MeetsWhatBruteForceMeets) {
         const std::vector<SurfacePencil> placed = random_pencils(5, 3);
         const int n = 8;
         const Traced t = trace(kernels, scene, placed, n);
-        const std::vector<float> surfels = t.surfels.data.read(), distances = t.distances.read();
+        const std::vector<float> surfels = t.surfels.data.read();
         std::size_t wrong = 0;
         for (std::size_t i = 0; i < placed.size() * n * n; ++i) {
             const dvec3 origin = xyz(placed[i / (n * n)].position);
             const dvec3 point(field(surfels, t.surfels.capacity, SURFEL_X, i), field(surfels, t.surfels.capacity, SURFEL_Y, i),
                               field(surfels, t.surfels.capacity, SURFEL_Z, i));
-            ASSERT_LT(distances[i], 4.0F) << "a closed room: every ray meets something";
-            EXPECT_NEAR(glm::distance(origin, point), distances[i], 1e-5);
+            ASSERT_NE(glm::floatBitsToInt(field(surfels, t.surfels.capacity, SURFEL_PLANE, i)), -1) << "every ray meets something";
             const ref::RayHit hit = ref::nearest_triangle(scene.triangles, origin, glm::normalize(point - origin));
-            if (std::abs(hit.t - static_cast<double>(distances[i])) > 1e-4) ++wrong;
+            if (std::abs(hit.t - glm::distance(origin, point)) > 1e-4) ++wrong;
         }
         EXPECT_LE(wrong, 1U) << things << " things: at most one ray along an edge may differ";
     }
@@ -101,15 +100,86 @@ TEST(SumHemispheres, UniformRadianceIsPi) {
     const std::vector<SurfacePencil> placed = random_pencils(11, 5);
     Traced t = trace(kernels, scene, placed, 8);
     const Buffer<float> radiance(device(), std::vector<float>(3 * static_cast<std::size_t>(t.surfels.capacity), 2.0F), "radiance");
-    sum_hemispheres(kernels, radiance, t.distances, t.surfels.capacity, 0, t.pencils.count, t.pencils);
-    const std::vector<float> distances = t.distances.read();
-    const std::vector<SurfacePencil> summed = t.pencils.data.read();
+    sum_hemispheres(kernels, radiance, t.surfels.capacity, 0, 0, t.pencils.count, t.pencils);
+    for (const SurfacePencil& p : t.pencils.data.read()) EXPECT_NEAR(p.irradiance.x, 2.0 * ref::pi, 1e-4);
+}
+
+TEST(MeasureHemispheres, HarmonicMeanOfDistances) {
+    Kernels kernels = make_kernels();
+    const std::vector<SurfacePencil> placed = random_pencils(11, 5);
+    Traced t = trace(kernels, box_scene(2), placed, 8);
+    measure_hemispheres(kernels, t.surfels, 0, 0, t.pencils.count, t.pencils);
+    const std::vector<float> surfels = t.surfels.data.read();
+    const std::vector<SurfacePencil> measured = t.pencils.data.read();
     for (std::size_t p = 0; p < placed.size(); ++p) {
-        EXPECT_NEAR(summed[p].irradiance.x, 2.0 * ref::pi, 1e-4);
         double inverse = 0;
-        for (std::size_t i = p * 64; i < (p + 1) * 64; ++i) inverse += 1.0 / static_cast<double>(distances[i]) / 64.0;
-        EXPECT_NEAR(summed[p].position.w, 1.0 / inverse, 1e-4 / inverse) << "harmonic mean";
-        for (const float ring : summed[p].ring) EXPECT_LT(ring, 4.0F) << "the room bounds the horizon";
+        for (std::size_t i = p * 64; i < (p + 1) * 64; ++i) {
+            const dvec3 point(field(surfels, t.surfels.capacity, SURFEL_X, i), field(surfels, t.surfels.capacity, SURFEL_Y, i),
+                              field(surfels, t.surfels.capacity, SURFEL_Z, i));
+            inverse += 1.0 / glm::distance(point, xyz(placed[p].position)) / 64.0;
+        }
+        EXPECT_NEAR(measured[p].position.w, 1.0 / inverse, 1e-4 / inverse);
+    }
+}
+
+/// The pencil that place_surface_pencils makes of a surfel of a floor (y = 0, seen from above) at x, seen from `eye`.
+Traced on_floor(Kernels& kernels, const TestScene& scene, const dvec3& x, const dvec3& eye, int n) {
+    Surfels surfels(device(), 1, "surfel");
+    std::vector<float> values(static_cast<std::size_t>(surfels.capacity) * SURFEL_FIELDS, 0.0F);
+    const auto set = [&](int f, float v) { values[static_cast<std::size_t>(f) * static_cast<std::size_t>(surfels.capacity)] = v; };
+    set(SURFEL_X, static_cast<float>(x.x));
+    set(SURFEL_Y, static_cast<float>(x.y));
+    set(SURFEL_Z, static_cast<float>(x.z));
+    set(SURFEL_NY, 1.0F);
+    set(SURFEL_GY, 1.0F);
+    set(SURFEL_PLANE, glm::intBitsToFloat(scene.flat.triangles.front().plane));
+    surfels.data.write(values);
+    SurfacePencils pencils(device(), 1, n);
+    place_surface_pencils(kernels, surfels, {0}, {to_float4(eye)}, 0.1F, pencils);
+    Traced t = trace(kernels, scene, pencils.data.read(0, 1), n);
+    measure_hemispheres(kernels, t.surfels, 0, 0, 1, t.pencils);
+    return t;
+}
+
+/// A floor, y = 0, and a wall x = 0 that stands on it.
+TestScene floor_and_wall() {
+    const dvec3 a(-1, 0, -1), b(-1, 0, 1), c(1, 0, 1), d(1, 0, -1), e(0, 0, -1), f(0, 1, -1), g(0, 1, 1), h(0, 0, 1);
+    return make_scene({{a, b, c, 0}, {a, c, d, 0}, {e, f, g, 1}, {e, g, h, 1}}, 4, 1);
+}
+
+TEST(TraceHemispheres, ThePencilInACreaseSeesTheWallAndNothingBehindIt) {
+    Kernels kernels = make_kernels();
+    const TestScene scene = floor_and_wall();
+    const int wall = scene.flat.triangles.back().plane, n = 16;
+    for (const double side : {-0.5, 0.5}) {
+        const Traced t = on_floor(kernels, scene, {0, 0, 0.1}, {side, 0.5, 0.3}, n);
+        const std::vector<float> surfels = t.surfels.data.read();
+        const SurfacePencil pencil = t.pencils.data.read(0, 1).front();
+        EXPECT_GT(static_cast<double>(pencil.position.x) * side, 0.0) << "on the side that was seen";
+        int seen = 0;
+        for (std::size_t i = 0; i < n * n; ++i)
+            seen += glm::floatBitsToInt(field(surfels, t.surfels.capacity, SURFEL_PLANE, i)) == wall ? 1 : 0;
+        // Half of the directions, but for those above the wall's edges.
+        EXPECT_GT(seen, n * n / 2 - 2 * n) << "eye at x = " << side;
+        EXPECT_LE(seen, n * n / 2 + n) << "eye at x = " << side;
+    }
+}
+
+TEST(MeasureHemispheres, TheHorizonEndsAtTheWall) {
+    Kernels kernels = make_kernels();
+    const Traced t = on_floor(kernels, floor_and_wall(), {0.2, 0, 0}, {0.5, 0.5, 0.0}, 16);
+    const SurfacePencil p = t.pencils.data.read(0, 1).front();
+    // tangent_frame of (0, 1, 0)
+    const dvec3 tangent(1, 0, 0), bitangent(0, 0, -1);
+    const auto clear = [&](const dvec3& step) {
+        const double x = glm::dot(step, tangent), y = glm::dot(step, bitangent);
+        const int sector = (x < 0 ? 4 : 0) | (y < 0 ? 2 : 0) | (std::abs(x) < std::abs(y) ? 1 : 0);
+        return x * static_cast<double>(p.horizon_x[sector]) + y * static_cast<double>(p.horizon_y[sector]) < 1.0;
+    };
+    for (const double z : {-0.15, -0.05, 0.05, 0.15}) {
+        EXPECT_TRUE(clear({-0.19, 0, z})) << "before the wall, z = " << z;
+        EXPECT_FALSE(clear({-0.21, 0, z})) << "behind the wall, z = " << z;
+        EXPECT_TRUE(clear({0.6, 0, z})) << "away from it, z = " << z;
     }
 }
 

@@ -35,24 +35,27 @@ TEST(LayerMean, WeightsCount) {
     EXPECT_FLOAT_EQ(layers[0].pixels[1], 4.0F);
     EXPECT_FLOAT_EQ(layers[1].pixels[0], 2.0F);
     EXPECT_EQ(layers[2].name, "error");
-    // sum w (x - m)^2 / ((n - 1) sum w) = (1 * 4 + 2 * 1) / 3
-    EXPECT_FLOAT_EQ(layers[2].pixels[0], std::sqrt(2.0F));
+    // sum w^2 (x - m)^2 = 8, over (sum w)^2 = 9; times sum w^2 = 5 over 5 - 2 * 9 / 3 + 25 / 9
+    EXPECT_FLOAT_EQ(layers[2].pixels[0], std::sqrt(8.0F / 9.0F * 5.0F / (16.0F / 9.0F)));
+}
+
+/// Estimated over true relMSE of a mean of images with weights 1, 2, 1, 2 ... and variances 0.04 / weight^power.
+double estimate_over_truth(int images, double power) {
+    ref::Random random(3);
+    LayerMean mean;
+    double weights = 0, variance = 0;
+    for (int k = 0; k < images; ++k) {
+        const double weight = k % 2 == 0 ? 1.0 : 2.0, sigma = 0.2 / std::sqrt(std::pow(weight, power));
+        mean.add(noisy(random, 30000, sigma), weight);
+        weights += weight;
+        variance += weight * weight * sigma * sigma;
+    }
+    return mean.relative_mean_square_error() / (variance / (weights * weights) / (4.0 + 0.01 * 4.0));
 }
 
 TEST(LayerMean, EstimatesTheErrorOfTheMean) {
-    ref::Random random(3);
-    const std::size_t size = 30000;
-    for (const int images : {2, 3, 10}) {
-        LayerMean mean;
-        double weights = 0;
-        for (int k = 0; k < images; ++k) {
-            const double weight = k % 2 == 0 ? 1.0 : 2.0;  // twice the work, half the variance
-            mean.add(noisy(random, size, 0.2 / std::sqrt(weight)), weight);
-            weights += weight;
-        }
-        const double truth = 0.04 / weights / (4.0 + 0.01 * 4.0);
-        EXPECT_NEAR(mean.relative_mean_square_error() / truth, 1.0, 0.05) << images << " images";
-    }
+    for (const int images : {2, 3, 10}) EXPECT_NEAR(estimate_over_truth(images, 0.0), 1.0, 0.05) << images << " images";
+    for (const double power : {-1.0, 1.0}) EXPECT_NEAR(estimate_over_truth(40, power), 1.0, 0.05) << "variance by weight^" << -power;
 }
 
 TEST(LayerMean, BlackImagesHaveNoError) {

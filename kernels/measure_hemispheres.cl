@@ -1,0 +1,51 @@
+// What a surface pencil knows of the geometry about it: harmonic mean distance and horizon.
+
+/// Planes nearer to a pencil than this count as this far away [scene units].
+#define HORIZON_TINY 1e-7f
+
+/// From the pencil to surfel i [scene units].
+inline float3 step_to_surfel(global const float *surfels, size_t capacity, size_t i, global const SurfacePencil *pencil) {
+    global const float *s = surfels + i;
+    return (float3)(s[SURFEL_X * capacity], s[SURFEL_Y * capacity], s[SURFEL_Z * capacity]) - pencil->position.xyz;
+}
+
+/// The line in which the plane of surfel i cuts the tangent plane of the pencil, as SurfacePencil.horizon_x, horizon_y.
+inline float2 horizon_line(global const float *surfels, size_t capacity, size_t i, global const SurfacePencil *pencil) {
+    global const float *s = surfels + i;
+    float3 g = (float3)(s[SURFEL_GX * capacity], s[SURFEL_GY * capacity], s[SURFEL_GZ * capacity]), t, b;
+    tangent_frame(pencil->normal.xyz, &t, &b);
+    return (float2)(dot(g, t), dot(g, b)) / fmin(dot(step_to_surfel(surfels, capacity, i, pencil), g), -HORIZON_TINY);
+}
+
+/// launch : 1-D, one work-item per pencil of first_pencil ..
+/// in     : surfels from first_surfel on, n x n entries per pencil (trace_hemispheres)
+/// out    : pencils: position.w, horizon
+kernel void measure_hemispheres(global const float *surfels, int capacity, int first_surfel, int first_pencil, int pencil_count, int n,
+                                global SurfacePencil *pencils) {
+    int item = get_global_id(0);
+    if (item >= pencil_count) return;
+    global SurfacePencil *pencil = pencils + first_pencil + item;
+    float inverse = 0.0f, nearest[RING_SECTORS];
+    size_t blocker[RING_SECTORS];
+    for (int s = 0; s < RING_SECTORS; ++s) nearest[s] = INFINITY;
+    for (int i = 0; i < n * n; ++i) {
+        size_t at = (size_t)first_surfel + (size_t)item * n * n + i;
+        if (as_int(surfels[(size_t)SURFEL_PLANE * capacity + at]) < 0) continue;
+        float distance = length(step_to_surfel(surfels, capacity, at, pencil));
+        inverse += 1.0f / fmax(distance, HORIZON_TINY);
+        int2 texel = hemisphere_texel(i, n);
+        if (texel.x > 0 && texel.x < n - 1 && texel.y > 0 && texel.y < n - 1) continue;
+        // On the rim of the disc the concentric map keeps the direction's octant.
+        int sector = ring_sector(2 * texel.x + 1 - n, 2 * texel.y + 1 - n);
+        if (distance < nearest[sector]) {
+            nearest[sector] = distance;
+            blocker[sector] = at;
+        }
+    }
+    pencil->position.w = inverse > 0.0f ? n * n / inverse : INFINITY;
+    for (int s = 0; s < RING_SECTORS; ++s) {
+        float2 line = nearest[s] < INFINITY ? horizon_line(surfels, capacity, blocker[s], pencil) : (float2)(0.0f);
+        pencil->horizon_x[s] = line.x;
+        pencil->horizon_y[s] = line.y;
+    }
+}
