@@ -15,8 +15,9 @@ const Surface one_sided{glm::vec3(0.5F), glm::vec3(0.0F), false}, two_sided{glm:
 
 constexpr int map_size = 32;
 
-/// Centres of set 0 in world units.
-std::vector<dvec3> centres(const Scene& scene, int count) {
+/// Centres of one set in world units.
+std::vector<dvec3> centres(const Scene& scene, int count, const std::vector<Placement>& mixture = {Placement::lds}, int set = 0,
+                           std::uint64_t seed = 0) {
     const std::vector<LightForm> forms(scene.shapes.size(), LightForm::samples);
     const FlatScene flat = flatten(scene, forms, 0, 0);
     Kernels kernels(device(), detect_features(flat, false, 4));
@@ -29,9 +30,9 @@ std::vector<dvec3> centres(const Scene& scene, int count) {
         rasterize_octahedral(kernels, on_device, lights.maps, 0, lights.maps.count);
     }
     FreeSpace space(kernels, on_device, flat, film.surfels(), samples.empty() ? nullptr : &lights.maps, map_size);
+    const auto source = make_candidate_source({kernels, on_device, scene, flat, seed}, mixture);
     std::vector<dvec3> out;
-    for (const float4& c : space.create(kernels, Sequence::low_discrepancy, count, 0, 0)->cops.read())
-        out.push_back(flat.normalisation.to_world(dvec3(c)));
+    for (const float4& c : space.create(kernels, *source, count, set)->cops.read()) out.push_back(flat.normalisation.to_world(dvec3(c)));
     return out;
 }
 
