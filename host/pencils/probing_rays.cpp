@@ -10,6 +10,9 @@ namespace pencil {
 
 namespace {
 
+/// Of float coordinates of a normalised scene.
+constexpr double rounding = 1e-6;
+
 /// Points of the unit hypercube, low-discrepancy, shifted anew for each stream.
 class Sequence4 {
 public:
@@ -49,11 +52,11 @@ glm::dvec3 area_normal(const Triangle& t) {
     return 0.5 * glm::cross(glm::dvec3(t.v1) - glm::dvec3(t.v0), glm::dvec3(t.v2) - glm::dvec3(t.v0));
 }
 
-/// Sides count: a two-sided triangle has twice the weight of a one-sided one.
+/// Sides that reflect or emit: a two-sided triangle has twice the weight of a one-sided one, black walls have none.
 double sides(const FlatScene& flat, const Triangle& t) {
-    const float4 albedo = flat.materials[static_cast<std::size_t>(t.material)].albedo;
-    if (luminance(glm::dvec3(albedo)) <= 0) return 0;
-    return albedo.w != 0.0F ? 2 : 1;
+    const Material& m = flat.materials[static_cast<std::size_t>(t.material)];
+    if (luminance(glm::dvec3(m.albedo)) > 0 && m.albedo.w != 0.0F) return 2;
+    return luminance(glm::dvec3(m.albedo) + glm::dvec3(m.emission)) > 0 ? 1 : 0;
 }
 
 /// False for the outer side of a wall of the scene's box, up to rounding.
@@ -66,13 +69,13 @@ bool leads_inwards(const FlatScene& flat, const ProbingRay& ray) {
 }  // namespace
 
 std::vector<ProbingRay> surface_rays(const FlatScene& flat, const ProbingStream& stream, int first, int count) {
-    WeightedChoice reflecting, all;
+    WeightedChoice bright, all;
     for (const Triangle& t : flat.triangles) {
         const double area = glm::length(area_normal(t));
-        reflecting.add(area * sides(flat, t));
+        bright.add(area * sides(flat, t));
         all.add(area);
     }
-    const WeightedChoice& choice = reflecting.total() > 0 ? reflecting : all;
+    const WeightedChoice& choice = bright.total() > 0 ? bright : all;
     if (choice.total() <= 0) return {};
     const Sequence4 sequence(stream);
     std::vector<ProbingRay> rays;
@@ -137,7 +140,11 @@ std::vector<ProbingRay> continued_rays(const std::vector<ProbingHit>& hits, cons
 Segment free_segment(const FlatScene& flat, const ProbingRay& ray, double distance) {
     Segment segment{0.0, std::min(distance, ray.longest)};
     for (int axis = 0; axis < 3; ++axis) {
-        if (ray.direction[axis] == 0.0) continue;
+        if (ray.direction[axis] == 0.0) {
+            const bool beside = ray.origin[axis] < flat.low[axis] - rounding || ray.origin[axis] > flat.high[axis] + rounding;
+            if (beside) segment.high = segment.low;
+            continue;
+        }
         const double a = (flat.low[axis] - ray.origin[axis]) / ray.direction[axis];
         const double b = (flat.high[axis] - ray.origin[axis]) / ray.direction[axis];
         segment.low = std::max(segment.low, std::min(a, b));
