@@ -10,6 +10,7 @@ namespace pencil {
 
 namespace {
 
+constexpr double infinite = std::numeric_limits<double>::infinity();
 /// Of float coordinates of a normalised scene.
 constexpr double rounding = 1e-6;
 
@@ -89,6 +90,7 @@ std::vector<ProbingRay> surface_rays(const FlatScene& flat, const ProbingStream&
         ProbingRay ray{v0 + b.x * (glm::dvec3(t.v1) - v0) + b.y * (glm::dvec3(t.v2) - v0), glm::normalize(area_normal(t)), u.w};
         if (back) ray.direction = -ray.direction;
         if (both && !leads_inwards(flat, ray)) ray.direction = -ray.direction;
+        ray.plane = t.plane;
         rays.push_back(ray);
     }
     return rays;
@@ -105,7 +107,8 @@ std::vector<ProbingRay> light_rays(const std::vector<LightSample>& samples, cons
         const LightSample& s = samples[choice(u.x).index];
         const bool area = s.position.w != 0.0F;
         const glm::dvec2 v(u.y, u.z);
-        rays.push_back({glm::dvec3(s.position), area ? square_to_cosine(v, glm::dvec3(s.normal)) : square_to_sphere(v), u.w});
+        rays.push_back({glm::dvec3(s.position), area ? square_to_cosine(v, glm::dvec3(s.normal)) : square_to_sphere(v), u.w, infinite,
+                        static_cast<int>(s.emission.w)});
     }
     return rays;
 }
@@ -132,7 +135,7 @@ std::vector<ProbingRay> continued_rays(const std::vector<ProbingHit>& hits, cons
     for (int i = first; i < first + count; ++i) {
         const glm::dvec4 u = sequence(i);
         const ProbingHit& hit = hits[choice(u.x).index];
-        rays.push_back({hit.position, square_to_cosine({u.y, u.z}, hit.normal), u.w});
+        rays.push_back({hit.position, square_to_cosine({u.y, u.z}, hit.normal), u.w, infinite, hit.plane});
     }
     return rays;
 }

@@ -15,6 +15,7 @@ struct ProbingRay {
     glm::dvec3 origin{0.0}, direction{0.0};  // of unit length
     double along = 0;                        // in [0, 1): which point of its free segment is the centre
     double longest = std::numeric_limits<double>::infinity();
+    int plane = -1;  // that it starts on
 };
 
 /// What a ray meets, and the weight with which it is continued from there.
@@ -22,6 +23,7 @@ struct ProbingHit {
     glm::dvec3 position{0.0}, normal{0.0};  // geometric normal on the side that was met
     glm::dvec3 albedo{0.0};                 // of that side
     double distance = std::numeric_limits<double>::infinity();
+    int plane = -1;
 };
 
 /// Names the random numbers of one set of one placement.

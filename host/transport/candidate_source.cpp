@@ -42,20 +42,18 @@ private:
     std::vector<std::unique_ptr<CandidateSource>> members_;
 };
 
-bool needs_rays(Placement p) { return p == Placement::near_surface || p == Placement::light_rays || p == Placement::camera_rays; }
-
-std::unique_ptr<CandidateSource> make_member(const PlacementScene& scene, Placement placement, const std::shared_ptr<DeviceBvh>& bvh) {
+std::unique_ptr<CandidateSource> make_member(const PlacementScene& scene, Placement placement) {
     switch (placement) {
         case Placement::random:
             return std::make_unique<BoxCandidates>(scene, Sequence::random);
         case Placement::lds:
             return std::make_unique<BoxCandidates>(scene, Sequence::low_discrepancy);
         case Placement::near_surface:
-            return std::make_unique<RayCandidates>(scene, bvh, placement, near_surface_rule(scene));
+            return std::make_unique<RayCandidates>(scene, placement, near_surface_rule(scene));
         case Placement::light_rays:
-            return std::make_unique<RayCandidates>(scene, bvh, placement, light_rays_rule(scene));
+            return std::make_unique<RayCandidates>(scene, placement, light_rays_rule(scene));
         case Placement::camera_rays:
-            return std::make_unique<RayCandidates>(scene, bvh, placement, camera_rays_rule(scene));
+            return std::make_unique<RayCandidates>(scene, placement, camera_rays_rule(scene));
         case Placement::profile:
             return std::make_unique<ProfileCandidates>(scene);
     }
@@ -64,17 +62,20 @@ std::unique_ptr<CandidateSource> make_member(const PlacementScene& scene, Placem
 
 }  // namespace
 
+bool follows_rays(const std::vector<Placement>& mixture) {
+    return std::any_of(mixture.begin(), mixture.end(), [](Placement p) {
+        return p == Placement::near_surface || p == Placement::light_rays || p == Placement::camera_rays;
+    });
+}
+
 std::unique_ptr<CandidateSource> make_candidate_source(const PlacementScene& scene, const std::vector<Placement>& mixture) {
     if (mixture.empty()) throw UsageError("a placement of pencils is needed");
-    std::shared_ptr<DeviceBvh> bvh;
-    if (std::any_of(mixture.begin(), mixture.end(), needs_rays))
-        bvh = std::make_shared<DeviceBvh>(scene.kernels.device(), build_bvh(scene.flat.triangles));
     std::vector<std::unique_ptr<CandidateSource>> members;
     for (std::size_t i = 0; i < mixture.size(); ++i) {
         if (std::find(mixture.begin(), mixture.begin() + static_cast<std::ptrdiff_t>(i), mixture[i]) !=
             mixture.begin() + static_cast<std::ptrdiff_t>(i))
             throw UsageError("a mixture of placements must name each once");
-        members.push_back(make_member(scene, mixture[i], bvh));
+        members.push_back(make_member(scene, mixture[i]));
     }
     if (members.size() == 1) return std::move(members.front());
     return std::make_unique<MixedCandidates>(std::move(members));

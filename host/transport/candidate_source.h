@@ -32,7 +32,10 @@ public:
     virtual std::string describe() const = 0;
 };
 
-/// What sources are made from; all of it must outlive them.
+/// True if a member follows probing rays: the device scene needs a hierarchy.
+bool follows_rays(const std::vector<Placement>& mixture);
+
+/// What sources are made from; all of it must outlive them. The device scene has a hierarchy if the mixture follows rays.
 struct PlacementScene {
     Kernels& kernels;
     const DeviceScene& device_scene;

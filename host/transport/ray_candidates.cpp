@@ -58,7 +58,7 @@ std::vector<float4> RayCandidates::place(const CandidateQuery& query) {
     // What has no free segment lies in the box instead.
     std::vector<float4> centres = place_pencils(scene_.flat, Sequence::low_discrepancy, query.first, query.count, query.set, scene_.seed);
     const std::vector<ProbingRay> probing = rays(query);
-    const std::vector<ProbingHit> hits = trace_probing_rays(scene_.kernels, scene_.device_scene, *bvh_, probing);
+    const std::vector<ProbingHit> hits = trace_probing_rays(scene_.kernels, scene_.device_scene, probing);
     placed_ += query.count;
     in_box_ += query.count - static_cast<int>(probing.size());
     for (std::size_t i = 0; i < probing.size(); ++i) {

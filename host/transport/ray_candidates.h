@@ -5,7 +5,6 @@
 
 #include "pencils/probing_rays.h"
 #include "transport/candidate_source.h"
-#include "transport/surface_pencils.h"
 
 namespace pencil {
 
@@ -23,8 +22,8 @@ ProbingRule camera_rays_rule(const PlacementScene& scene);
 
 class RayCandidates : public CandidateSource {
 public:
-    RayCandidates(const PlacementScene& scene, std::shared_ptr<DeviceBvh> bvh, Placement placement, ProbingRule rule)
-        : scene_(scene), bvh_(std::move(bvh)), placement_(placement), rule_(std::move(rule)) {}
+    RayCandidates(const PlacementScene& scene, Placement placement, ProbingRule rule)
+        : scene_(scene), placement_(placement), rule_(std::move(rule)) {}
 
     std::vector<float4> place(const CandidateQuery& query) override;
     std::string describe() const override;
@@ -33,7 +32,6 @@ private:
     std::vector<ProbingRay> rays(const CandidateQuery& query);
 
     PlacementScene scene_;
-    std::shared_ptr<DeviceBvh> bvh_;
     Placement placement_;
     ProbingRule rule_;
     std::map<int, std::vector<ProbingHit>> ends_;  // of the rays of each set so far, of continued rays

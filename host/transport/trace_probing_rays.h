@@ -6,12 +6,10 @@
 #include "pencils/probing_rays.h"
 #include "transport/device_scene.h"
 #include "transport/features.h"
-#include "transport/surface_pencils.h"
 
 namespace pencil {
 
 /// What each ray meets first, in their order; distance infinite if nothing.
-std::vector<ProbingHit> trace_probing_rays(Kernels& kernels, const DeviceScene& scene, const DeviceBvh& bvh,
-                                           const std::vector<ProbingRay>& rays);
+std::vector<ProbingHit> trace_probing_rays(Kernels& kernels, const DeviceScene& scene, const std::vector<ProbingRay>& rays);
 
 }  // namespace pencil

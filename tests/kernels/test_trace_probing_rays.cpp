@@ -32,10 +32,9 @@ TEST(TraceProbingRays, MeetsWhatBruteForceMeets) {
     for (const auto& [things, count] : {std::pair{0, 1}, std::pair{1, 37}, std::pair{40, 300}, std::pair{3000, 200}}) {
         SCOPED_TRACE(std::to_string(things) + " things, " + std::to_string(count) + " rays");
         const TestScene scene = room_scene(static_cast<std::uint32_t>(things) + 3, things);
-        const DeviceScene on_device(device(), scene.flat);
-        const DeviceBvh bvh(device(), build_bvh(scene.flat.triangles));
+        const DeviceScene on_device(device(), scene.flat, build_bvh(scene.flat.triangles));
         const std::vector<ProbingRay> rays = random_rays(9, count);
-        const std::vector<ProbingHit> hits = trace_probing_rays(kernels, on_device, bvh, rays);
+        const std::vector<ProbingHit> hits = trace_probing_rays(kernels, on_device, rays);
         ASSERT_EQ(hits.size(), rays.size());
         int ties = 0;
         for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -59,14 +58,29 @@ TEST(TraceProbingRays, MeetsWhatBruteForceMeets) {
 TEST(TraceProbingRays, NothingIsInfinitelyFar) {
     Kernels kernels = make_kernels();
     const TestScene scene = soup_scene(4, 1);
-    const DeviceScene on_device(device(), scene.flat);
-    const DeviceBvh bvh(device(), build_bvh(scene.flat.triangles));
+    const DeviceScene on_device(device(), scene.flat, build_bvh(scene.flat.triangles));
     const ref::Triangle& t = scene.triangles.front();
     const dvec3 away = ref::as_float(glm::normalize(glm::cross(t.v1 - t.v0, t.v2 - t.v0))), origin = ref::as_float(t.v0 + 0.5 * away);
-    const std::vector<ProbingHit> hits = trace_probing_rays(kernels, on_device, bvh, {{origin, away, 0.0}, {origin, -away, 0.0}});
+    const std::vector<ProbingHit> hits = trace_probing_rays(kernels, on_device, {{origin, away, 0.0}, {origin, -away, 0.0}});
     EXPECT_TRUE(std::isinf(hits[0].distance));
     EXPECT_EQ(hits[0].albedo, dvec3(0.0));
-    EXPECT_TRUE(trace_probing_rays(kernels, on_device, bvh, {}).empty());
+    EXPECT_TRUE(trace_probing_rays(kernels, on_device, {}).empty());
+}
+
+TEST(TraceProbingRays, LeavesTheSurfaceItStartsOnButNotItsNeighbour) {
+    Kernels kernels = make_kernels();
+    const TestScene scene = box_scene(3);
+    const DeviceScene on_device(device(), scene.flat, build_bvh(scene.flat.triangles));
+    // From the wall x = -0.75 into the room, from so near its neighbour y = -0.75 that only their planes tell them apart.
+    ProbingRay ray{ref::as_float({-0.75, -0.75 + 1e-7, 0.1}), {1.0, 0.0, 0.0}, 0.0};
+    ray.plane = 0;
+    ProbingRay down = ray;
+    down.direction = ref::as_float(glm::normalize(dvec3(0.1, -1.0, 0.0)));
+    const std::vector<ProbingHit> hits = trace_probing_rays(kernels, on_device, {ray, down});
+    EXPECT_NEAR(hits[0].distance, 1.5, 1e-5);
+    EXPECT_EQ(hits[0].plane, 1);
+    EXPECT_LT(hits[1].distance, 1e-5);
+    EXPECT_EQ(hits[1].plane, 2);
 }
 
 }  // namespace
