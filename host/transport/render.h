@@ -28,7 +28,7 @@ struct RenderOptions {
     int map = 64;        // octahedral tile size, a multiple of 8 [texels]
     int light_samples = 64;
     Initial initial = Initial::automatic;
-    std::vector<Placement> placement{Placement::near_surface, Placement::camera_rays};  // in turn
+    std::vector<Placement> placement{Placement::lds};  // a mixture: in turn
     Weights weights = Weights::dpdf;
     Iterate iterate = Iterate::sets;
     double seconds = 0;          // surface: passes until then, 0: until target_error

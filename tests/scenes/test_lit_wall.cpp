@@ -13,7 +13,6 @@ using namespace pencil::test;
 std::array<double, 5> ratios(Weights weights, int pencils, int map, std::uint64_t seed) {
     RenderOptions options;
     options.weights = weights;
-    options.placement = {Placement::lds};  // of others: test_placement_error.cpp
     options.pencils = pencils;
     options.seed = seed;
     options.map = map;
