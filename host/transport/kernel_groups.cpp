@@ -15,9 +15,10 @@ const std::vector<KernelGroup>& groups() {
         {{"packet", "hash", "octahedral", "triangle", "raster", "footprint", "surfel_packet", "visibility", "packet_visibility"},
          {"rasterize_octahedral", "fold_hits", "light_surfels"}},
         // Line projection.
-        {{"packet", "octahedral", "triangle", "surfel", "footprint", "surfel_packet", "visibility", "packet_visibility"},
-         {"find_enclosing", "find_sides", "gather_surfels", "test_visibility", "estimate_density", "project_pencils", "store_radiance",
-          "smooth_radiance", "sum_radiance"}},
+        {{"packet", "octahedral", "triangle", "surfel", "footprint", "surfel_packet", "visibility", "packet_visibility", "projection",
+          "weights"},
+         {"find_enclosing", "find_sides", "gather_surfels", "test_visibility", "estimate_density", "free_path_density", "project_pencils",
+          "store_radiance", "smooth_radiance", "sum_radiance"}},
         // Surface pencils.
         {{"packet", "hash", "triangle", "surfel", "bvh", "hemisphere", "surface_pencil", "pencil_grid", "film_lattice"},
          {"place_surface_pencils", "trace_hemispheres", "sum_hemispheres", "project_surface_pencils", "link_surfels",

@@ -2,11 +2,12 @@
 
 namespace pencil {
 
-void project_pencils(Kernels& kernels, const DeviceScene& scene, const Surfels& surfels, const PencilSet& set, Buffer<float>& outgoing,
-                     Buffer<int>& visible, const std::string& what) {
+void project_pencils(Kernels& kernels, const DeviceScene& scene, const Surfels& surfels, const PencilSet& set,
+                     const WeightTable& weights, Buffer<float>& outgoing, Buffer<int>& visible, const std::string& what) {
     kernels.get("project_pencils")
         .args(surfels.data, surfels.capacity, surfels.count, set.maps->cops, set.maps->count, set.radiance, set.maps->cells,
-              set.maps->groups, set.maps->hits, scene.triangles, scene.planes, set.maps->n, outgoing, 1, visible)
+              set.maps->groups, set.maps->hits, scene.triangles, scene.planes, set.maps->n,
+              weights.directions, outgoing, 1, visible)
         .run(kernels.blocks(surfels.count), what);
 }
 

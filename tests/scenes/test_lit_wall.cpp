@@ -88,15 +88,21 @@ TEST(LitWall, PrintedWeightsOvershoot) {
 }
 
 TEST(LitWall, DISABLED_TableOfDocsAccuracy) {
-    std::printf("irradiance of the lit wall, rendered / exact, mean over 4 seeds (RMSE %%)\n| weights | pencils |");
+    constexpr int seeds = 16;
+    std::printf("irradiance of the lit wall, rendered / exact, mean over %d seeds (RMSE %%)\n| weights | pencils |", seeds);
     for (const Place& place : places) std::printf(" %s |", place.name);
     std::printf("\n|---|---|---|---|---|---|---|\n");
-    for (const Weights weights : {Weights::dpdf, Weights::thesis}) {
+    const std::array<std::pair<Weights, const char*>, 4> forms{{{Weights::dpdf, "dpdf"},
+                                                                {Weights::voronoi, "voronoi"},
+                                                                {Weights::analytic, "analytic"},
+                                                                {Weights::thesis, "thesis"}}};
+    for (const auto& [weights, name] : forms) {
         for (const int pencils : {128, 512}) {
-            const Row r = row(weights, pencils, 64, 4);
-            std::printf("| %s | %d |", weights == Weights::dpdf ? "dpdf" : "thesis", pencils);
-            for (std::size_t p = 0; p < places.size(); ++p) std::printf(" %.3f (%.0f) |", r.mean[p], 100.0 * r.rmse[p]);
+            const Row r = row(weights, pencils, 64, seeds);
+            std::printf("| %s | %d |", name, pencils);
+            for (std::size_t p = 0; p < places.size(); ++p) std::printf(" %.3f (%.1f) |", r.mean[p], 100.0 * r.rmse[p]);
             std::printf("\n");
+            std::fflush(stdout);
         }
     }
 }
