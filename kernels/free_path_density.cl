@@ -3,7 +3,7 @@
 // of the line through pencil and point. Both ends of the line stand in the pencil's own map, at a texel and at its antipode.
 
 /// Share of a uniform density over the hemisphere that is added to p, relative to n pencils.
-#define UNIFORM_SHARE 0.2f
+#define UNIFORM_SHARE 0.02f
 
 /// Euclidean distance from cop to what a texel sees, or to where the ray leaves the box in which centres lie.
 inline float free_distance(Hit hit, float4 cop, float4 direction, float4 low, float4 high) {

@@ -4,7 +4,8 @@
 
 /// launch : 1-D, one work-item per block of PENCIL_BLOCK packets of PENCIL_WIDTH surfels
 /// in     : surfels of `capacity` (a multiple of PENCIL_BLOCK * PENCIL_WIDTH); cops[pencil_count]; radiance, cells, groups, hits:
-///          tiles of n x n of those pencils; directions: table of CellDirections, for PENCIL_WEIGHTS_VORONOI only
+///          tiles of n x n of those pencils; directions: table of CellDirections with direction_tiles
+///          tiles, for PENCIL_WEIGHTS_VORONOI only
 /// out    : outgoing[3][capacity] [W m^-2 sr^-1], added to if `accumulate`; visible[capacity]: number of pencils that each surfel sees
 /// needs  : radiance and hits folded. A surfel that sees no pencil receives nothing.
 /// E = pi sum(L w) / sum(w), w = cos/D or the cosine-weighted solid angle of a cell. DEVIATION: eq. (5.33)'s normaliser does not tend to
@@ -12,7 +13,7 @@
 kernel void project_pencils(global const float *surfels, int capacity, int surfel_count, global const float4 *cops, int pencil_count,
                             global const float4 *radiance, global const int2 *cells, global const int4 *groups, global const Hit *hits,
                             global const Triangle *triangles, global const float4 *planes, int n, global const float4 *directions,
-                            global float *outgoing, int accumulate, global int *visible) {
+                            int direction_tiles, global float *outgoing, int accumulate, global int *visible) {
     int first = get_global_id(0) * PENCIL_BLOCK * PENCIL_WIDTH;
     if (first >= surfel_count) return;
     VisibilityMap map = {cells, groups, hits, triangles, planes, n};
@@ -20,7 +21,7 @@ kernel void project_pencils(global const float *surfels, int capacity, int surfe
     for (int p = 0; p < PENCIL_BLOCK; ++p) packets[p] = load_surfels(surfels, capacity, first + p * PENCIL_WIDTH);
     ProjectionSums sums;
     clear_sums(&sums);
-    sum_pencils(packets, &map, radiance, cops, pencil_count, directions, &sums);
+    sum_pencils(packets, &map, radiance, cops, pencil_count, directions, direction_tiles, &sums);
     for (int p = 0; p < PENCIL_BLOCK; ++p) {
         float r[PENCIL_WIDTH], g[PENCIL_WIDTH], b[PENCIL_WIDTH];
         for (int l = 0; l < PENCIL_WIDTH; ++l) {

@@ -29,7 +29,7 @@ std::vector<std::string> explain(const Scene& scene, const RenderOptions& option
     if (options.method == Method::surface) {
         lines.push_back("indirect light: pencils on surfaces; left out: octahedral maps of pencils, density, weights, shrinking sets");
     } else {
-        lines.push_back(explain_weights(features.weights, features.cell_grid));
+        lines.push_back(explain_weights(features.weights, cell_grid(options.pencils)));
         lines.push_back(options.iterate == Iterate::fixed ? "iteration: one fixed set; its geometry maps and weights are made once"
                                                           : "iteration: a new, smaller set for each bounce");
     }

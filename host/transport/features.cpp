@@ -11,7 +11,7 @@ Features detect_features(const FlatScene& scene, const RenderOptions& options) {
     Features features;
     features.smooth = !scene.normals.empty();
     features.weights = options.weights;
-    features.cell_grid = options.weights == Weights::voronoi ? cell_grid(options.pencils) : 0;
+    features.cell_grid = options.weights == Weights::voronoi ? largest_cell_grid(options.pencils) : 0;
     features.film_samples = options.film_samples;
     return features;
 }

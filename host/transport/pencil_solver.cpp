@@ -34,7 +34,7 @@ int chunk_tiles(int n, int pencils) {
 
 PencilSolver::PencilSolver(Kernels& kernels, const DeviceScene& scene, FreeSpace& free_space, const LightSet& lights,
                            const RenderOptions& options, StageClock& clock)
-    : kernels_(kernels), scene_(scene), free_space_(free_space), lights_(lights), options_(options), clock_(clock), table_(kernels) {}
+    : kernels_(kernels), scene_(scene), free_space_(free_space), lights_(lights), options_(options), clock_(clock), tables_(kernels) {}
 
 int PencilSolver::set_size(int index) const {
     const double size = options_.pencils * std::pow(options_.decay, index);
@@ -69,7 +69,7 @@ void PencilSolver::fill(PencilSet& target, const PencilSet* source, bool emissio
             outgoing.fill_zero();
             if (emission) emit_surfels(kernels_, scene_, surfels, true, outgoing);
             if (direct) light_surfels(kernels_, scene_, surfels, lights_, outgoing, "direct light to pencils");
-            if (source) project_pencils(kernels_, scene_, surfels, *source, table_, outgoing, visible, "pencil transport");
+            if (source) project_pencils(kernels_, scene_, surfels, *source, tables_, outgoing, visible, "pencil transport");
             if (!density) store_radiance(kernels_, surfels, outgoing, first, count, target);
         });
         if (!density) continue;

@@ -31,7 +31,7 @@ public:
     /// quadrature weights of its texels are made too (alg. 6.1), where the form needs any.
     void fill(PencilSet& target, const PencilSet* source, bool emission, bool direct, bool weights);
 
-    const WeightTable& weight_table() const { return table_; }
+    WeightTables& weight_tables() { return tables_; }
     const SetTimes& times() const { return times_; }
     void reset_times() { times_ = {}; }
 
@@ -42,7 +42,7 @@ private:
     const LightSet& lights_;
     const RenderOptions& options_;
     StageClock& clock_;
-    WeightTable table_;
+    WeightTables tables_;
     SetTimes times_;
 };
 

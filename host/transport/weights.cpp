@@ -1,7 +1,7 @@
 #include "transport/weights.h"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 
 #include "pencils/cell_directions.h"
 #include "shared/weights.h"
@@ -41,17 +41,25 @@ std::string explain_weights(Weights weights, int grid) {
 }
 
 int cell_grid(int pencils) {
-    constexpr std::array<int, 4> grids{16, 24, 32, 48};  // few, as each is a build of the kernels
-    constexpr int directions_per_pencil = 4;
-    for (const int grid : grids)
-        if (grid * grid >= directions_per_pencil * pencils) return grid;
-    return grids.back();
+    constexpr int directions_per_pencil = 4, width = 4, smallest = 8, largest = 48;
+    const double root = std::sqrt(static_cast<double>(directions_per_pencil) * pencils);
+    return std::clamp(width * static_cast<int>(std::ceil(root / width)), smallest, largest);
 }
 
-WeightTable::WeightTable(Kernels& kernels) {
-    const Features& features = kernels.features();
-    directions = Buffer<float4>(kernels.device(),
-                                features.cell_grid > 0 ? cell_directions(features.cell_grid) : std::vector<float4>(), "cell directions");
+int largest_cell_grid(int pencils) {
+    const int grid = cell_grid(pencils);
+    return grid <= 24 ? 24 : 48;
+}
+
+const CellTable& WeightTables::cells(int pencils) {
+    const bool voronoi = kernels_.features().weights == Weights::voronoi;
+    const int grid = voronoi ? std::min(cell_grid(pencils), kernels_.features().cell_grid) : 0;
+    CellTable& table = cells_[grid];
+    if (!table.directions.allocated()) {
+        table.directions = Buffer<float4>(kernels_.device(), voronoi ? cell_directions(grid) : std::vector<float4>(), "cell directions");
+        table.tiles = grid * grid / PENCIL_CELL_TILE;
+    }
+    return table;
 }
 
 }  // namespace pencil

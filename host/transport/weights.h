@@ -2,6 +2,7 @@
 // every texel (w of the radiance maps), or a table of directions. This file is the only one that knows which form needs what.
 #pragma once
 
+#include <map>
 #include <string>
 
 #include "cl/buffer.h"
@@ -29,13 +30,25 @@ std::string explain_weights(Weights weights, int grid);
 
 /// Root of the number of directions that sample the Voronoi cells of so many pencils, a multiple of 4.
 int cell_grid(int pencils);
+/// The largest of a render whose first set has so many pencils. Takes few values: each is a build of the kernels.
+int largest_cell_grid(int pencils);
 
-/// What a form of weights needs beyond the pencils, made once per render.
-struct WeightTable {
-    WeightTable() = default;
-    explicit WeightTable(Kernels& kernels);
+/// Directions that sample Voronoi cells, CellDirections of kernels/lib/weights_voronoi.cl.
+struct CellTable {
+    Buffer<float4> directions;
+    int tiles = 0;
+};
 
-    Buffer<float4> directions;  // CellDirections of kernels/lib/weights_voronoi.cl; empty for other forms
+/// What a form of weights needs beyond the pencils, made at the first use.
+class WeightTables {
+public:
+    explicit WeightTables(Kernels& kernels) : kernels_(kernels) {}
+    /// For a set of so many pencils; empty where the form needs none.
+    const CellTable& cells(int pencils);
+
+private:
+    Kernels& kernels_;
+    std::map<int, CellTable> cells_;  // by grid
 };
 
 }  // namespace pencil

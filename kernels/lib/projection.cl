@@ -1,5 +1,5 @@
 // What a block of surfels receives from pencils. Every form of weights (weights_*.cl) brings
-//   void sum_pencils(packets, map, radiance, cops, pencil_count, directions, sums)
+//   void sum_pencils(packets, map, radiance, cops, pencil_count, directions, tiles, sums)
 // which adds all pencils to the sums, and says which with which weight. Needs packet_visibility.cl.
 
 /// Sums over the pencils that the surfels of a block see.

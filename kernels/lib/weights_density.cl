@@ -3,8 +3,9 @@
 
 /// Adds every pencil that the block sees with the weight cos/D.
 inline void sum_pencils(const SurfelPacket *packets, const VisibilityMap *map, global const float4 *radiance, global const float4 *cops,
-                        int pencil_count, global const float4 *directions, ProjectionSums *sums) {
+                        int pencil_count, global const float4 *directions, int tiles, ProjectionSums *sums) {
     (void)directions;
+    (void)tiles;
     for (int i = 0; i < pencil_count; ++i) {
         float4 cop = (float4)(cops[i].xyz, 0.0f);
         Aimed aimed[PENCIL_BLOCK];

@@ -1,9 +1,9 @@
 // Quadrature weights by hemispherical Voronoi cells: the weight w_i cos_i of a pencil is the cosine-weighted solid angle of the directions
 // that are nearer to its own than to that of any other pencil which the surfel sees. No density is needed.
 //
-// Cells are sampled. PENCIL_CELL_GRID^2 directions of equal cosine-weighted solid angle, the same in the frame of every surfel, each take
-// the nearest pencil; what a pencil has got is its weight. Directions come in tiles of PENCIL_CELL_TILE neighbours. Only pencils that may
-// be the nearest to some direction of a tile are compared with all of them, which most are not. Needs projection.cl.
+// Cells are sampled. Up to PENCIL_CELL_GRID^2 directions of equal cosine-weighted solid angle, the same in the frame of every surfel, each
+// take the nearest pencil; what a pencil has got is its weight. Directions come in tiles of PENCIL_CELL_TILE neighbours. Only pencils that
+// may be the nearest to some direction of a tile are compared with all of them, which most are not. Needs projection.cl.
 
 #define CELL_SAMPLES (PENCIL_CELL_GRID * PENCIL_CELL_GRID)
 #define CELL_TILES (CELL_SAMPLES / PENCIL_CELL_TILE)
@@ -28,6 +28,7 @@ typedef struct Cells {
 /// A table of directions: the axes of the tiles, w: cosine of twice the greatest angle between axis and directions; then the directions.
 typedef struct CellDirections {
     global const float4 *axes, *samples;
+    int tiles, numbers;  // number of tiles; mask of the bits that hold numbers of pencils
 } CellDirections;
 
 inline vfloat cell_distance(float4 direction, vfloat x, vfloat y, vfloat z) {
@@ -35,7 +36,7 @@ inline vfloat cell_distance(float4 direction, vfloat x, vfloat y, vfloat z) {
 }
 
 /// Tangents without a branch that jumps (Duff et al. 2017); nothing near yet.
-inline void begin_cells(const SurfelPacket *s, int numbers, Cells *cells) {
+inline void begin_cells(const SurfelPacket *s, const CellDirections *directions, Cells *cells) {
     vfloat side = copysign((vfloat)(1.0f), s->nz), k = -1.0f / (side + s->nz), m = s->nx * s->ny * k;
     cells->tx = fma(side * s->nx * s->nx, k, (vfloat)(1.0f));
     cells->ty = side * m;
@@ -43,8 +44,9 @@ inline void begin_cells(const SurfelPacket *s, int numbers, Cells *cells) {
     cells->bx = m;
     cells->by = fma(s->ny * s->ny, k, side);
     cells->bz = -s->ny;
-    for (int k = 0; k < CELL_SAMPLES; ++k) cells->nearest[k] = as_int(CELL_NONE) | numbers;
-    for (int g = 0; g < CELL_TILES; ++g) cells->centre[g] = CELL_NONE;
+    int samples = directions->tiles * PENCIL_CELL_TILE;
+    for (int k = 0; k < samples; ++k) cells->nearest[k] = as_int(CELL_NONE) | directions->numbers;
+    for (int g = 0; g < directions->tiles; ++g) cells->centre[g] = CELL_NONE;
 }
 
 /// Unit direction to `cop` in the frames of the surfels; far below the horizon for all but `lanes`.
@@ -60,7 +62,7 @@ inline void cell_direction(const SurfelPacket *s, const Cells *cells, float4 cop
 /// How far pencils may be from the axis of a tile to matter: any direction of the tile is within alpha of the axis, so it has a pencil
 /// within theta + alpha, theta the angle from the axis to its nearest; nearer ones are within theta + 2 alpha of the axis.
 inline void limit_cells(const CellDirections *directions, Cells *cells) {
-    for (int g = 0; g < CELL_TILES; ++g) {
+    for (int g = 0; g < directions->tiles; ++g) {
         float c = directions->axes[g].w, s = sqrt(1.0f - c * c);
         vfloat h = cells->centre[g], cosine = 1.0f - h;
         vfloat sine = sqrt(fmax(h * (2.0f - h), (vfloat)(0.0f)));
@@ -70,9 +72,11 @@ inline void limit_cells(const CellDirections *directions, Cells *cells) {
 }
 
 /// Offers pencil i, in direction (x, y, z), to all directions.
-inline void offer_pencil(const CellDirections *directions, vfloat x, vfloat y, vfloat z, int i, int numbers, Cells *cells) {
-    for (int g = 0; g < CELL_TILES; ++g) {
-        if (!PACKET_ANY(PACKET_MASK(cell_distance(directions->axes[g], x, y, z) <= cells->reach[g]))) continue;
+inline void offer_pencil(const CellDirections *directions, vfloat x, vfloat y, vfloat z, int i, Cells *cells) {
+    global const float4 *axes = directions->axes;
+    const int tiles = directions->tiles, numbers = directions->numbers;
+    for (int g = 0; g < tiles; ++g) {
+        if (!PACKET_ANY(PACKET_MASK(cell_distance(axes[g], x, y, z) <= cells->reach[g]))) continue;
         global const float4 *samples = directions->samples + g * PENCIL_CELL_TILE;
         vint *nearest = cells->nearest + g * PENCIL_CELL_TILE;
 #pragma unroll
@@ -84,7 +88,7 @@ inline void offer_pencil(const CellDirections *directions, vfloat x, vfloat y, v
 }
 
 /// Offers the pencils `first` to `last` to the cells of a block.
-inline void offer_chunk(const SurfelPacket *packets, const VisibilityMap *map, global const float4 *cops, int first, int last, int numbers,
+inline void offer_chunk(const SurfelPacket *packets, const VisibilityMap *map, global const float4 *cops, int first, int last,
                         const CellDirections *directions, Cells *cells, ProjectionSums *sums) {
     int lanes[CELL_CHUNK][PENCIL_BLOCK];
     vfloat x, y, z;
@@ -98,7 +102,7 @@ inline void offer_chunk(const SurfelPacket *packets, const VisibilityMap *map, g
             if (!seen) continue;
             sums->seen[p] -= PACKET_FROM_BITS(seen);
             cell_direction(packets + p, cells + p, cop, seen, &x, &y, &z);
-            for (int g = 0; g < CELL_TILES; ++g)
+            for (int g = 0; g < directions->tiles; ++g)
                 cells[p].centre[g] = PACKET_MIN(cells[p].centre[g], cell_distance(directions->axes[g], x, y, z));
         }
     }
@@ -107,18 +111,19 @@ inline void offer_chunk(const SurfelPacket *packets, const VisibilityMap *map, g
         for (int i = first; i < last; ++i) {
             if (!lanes[i - first][p]) continue;
             cell_direction(packets + p, cells + p, (float4)(cops[i].xyz, 0.0f), lanes[i - first][p], &x, &y, &z);
-            offer_pencil(directions, x, y, z, i, numbers, cells + p);
+            offer_pencil(directions, x, y, z, i, cells + p);
         }
     }
 }
 
 /// Adds the pencils `first` to `last` with the number of directions that they are nearest to.
 inline void add_chunk(const SurfelPacket *packets, const VisibilityMap *map, global const float4 *radiance, global const float4 *cops,
-                      int first, int last, int numbers, const Cells *cells, ProjectionSums *sums) {
+                      int first, int last, const CellDirections *directions, const Cells *cells, ProjectionSums *sums) {
+    const int samples = directions->tiles * PENCIL_CELL_TILE, numbers = directions->numbers;
     ushort won[CELL_CHUNK * PENCIL_BLOCK * PENCIL_WIDTH];  // [pencil][packet][lane]
     for (int k = 0; k < CELL_CHUNK * PENCIL_BLOCK * PENCIL_WIDTH; ++k) won[k] = 0;
     for (int p = 0; p < PENCIL_BLOCK; ++p)
-        for (int k = 0; k < CELL_SAMPLES; ++k) {
+        for (int k = 0; k < samples; ++k) {
             vint owner = (cells[p].nearest[k] & numbers) - first;
             for (int l = 0; l < PENCIL_WIDTH; ++l) {
                 uint i = (uint)LANE_INT(owner, l);
@@ -142,15 +147,15 @@ inline void add_chunk(const SurfelPacket *packets, const VisibilityMap *map, glo
     }
 }
 
-/// Adds every pencil that the block sees with the share of its cell, times CELL_SAMPLES.
+/// Adds every pencil that the block sees with the number of directions in its cell. `tiles`: of the table of directions.
 inline void sum_pencils(const SurfelPacket *packets, const VisibilityMap *map, global const float4 *radiance, global const float4 *cops,
-                        int pencil_count, global const float4 *directions, ProjectionSums *sums) {
+                        int pencil_count, global const float4 *directions, int tiles, ProjectionSums *sums) {
     Cells cells[PENCIL_BLOCK];
-    CellDirections table = {directions, directions + CELL_TILES};
     int numbers = (int)(0xffffffffu >> clz(pencil_count));  // all ones is no pencil's number
-    for (int p = 0; p < PENCIL_BLOCK; ++p) begin_cells(packets + p, numbers, cells + p);
+    CellDirections table = {directions, directions + tiles, tiles, numbers};
+    for (int p = 0; p < PENCIL_BLOCK; ++p) begin_cells(packets + p, &table, cells + p);
     for (int first = 0; first < pencil_count; first += CELL_CHUNK)
-        offer_chunk(packets, map, cops, first, min(first + CELL_CHUNK, pencil_count), numbers, &table, cells, sums);
+        offer_chunk(packets, map, cops, first, min(first + CELL_CHUNK, pencil_count), &table, cells, sums);
     for (int first = 0; first < pencil_count; first += CELL_CHUNK)
-        add_chunk(packets, map, radiance, cops, first, min(first + CELL_CHUNK, pencil_count), numbers, cells, sums);
+        add_chunk(packets, map, radiance, cops, first, min(first + CELL_CHUNK, pencil_count), &table, cells, sums);
 }
