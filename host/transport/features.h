@@ -13,8 +13,8 @@ namespace pencil {
 struct Features {
     bool smooth = false;  // some triangle has vertex normals: interpolated shading normals
     Weights weights = Weights::dpdf;
-    int cell_grid = 0;       // root of the greatest number of directions that sample Voronoi cells, 0 for other weights
-    int film_samples = 16;   // visibility samples per pixel
+    int cell_grid = 0;      // root of the greatest number of directions that sample Voronoi cells, 0 for other weights
+    int film_samples = 16;  // visibility samples per pixel
 };
 
 Features detect_features(const FlatScene& scene, const RenderOptions& options);

@@ -47,8 +47,8 @@ private:
         for (int index = 0;; ++index, ++order) {
             series_.add(sum_radiance(context_.kernels, set));
             const double seconds = clock.run("projection-scatter", [&] {
-                project_pencils(context_.kernels, context_.device_scene, frame_.film().surfels(), set, solver.weight_tables(), frame_.outgoing(),
-                                visible_, "projection-scatter");
+                project_pencils(context_.kernels, context_.device_scene, frame_.film().surfels(), set, solver.weight_tables(),
+                                frame_.outgoing(), visible_, "projection-scatter");
             });
             if (index == 0) count_blind();
             frame_.finish_bounce(order + 1, set.maps->count, seconds);

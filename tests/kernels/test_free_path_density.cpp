@@ -36,7 +36,8 @@ void check(const TestScene& scene, int pencils, int n, int first, int count, dou
                     ASSERT_EQ(texel.w, untouched.w) << "tile " << tile << " is outside the range";
                     continue;
                 }
-                const dvec3 direction = glm::normalize(ref::texel_direction(x, y, n)), centre = xyz(centres[static_cast<std::size_t>(tile)]);
+                const dvec3 direction = glm::normalize(ref::texel_direction(x, y, n)),
+                            centre = xyz(centres[static_cast<std::size_t>(tile)]);
                 const double d = free_distance(scene, centre, direction, half) + free_distance(scene, centre, -direction, half);
                 const double density = d * d * d / (3.0 * volume) + 0.02 / (2.0 * ref::pi);
                 ++texels;

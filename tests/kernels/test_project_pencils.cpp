@@ -1,5 +1,5 @@
-// Projection and scattering against thesis eq. (5.23) and alg. 6.3 with every form of weights, from random radiance maps and density weights
-// and the kernel's own visibility masks (they have their own test).
+// Projection and scattering against thesis eq. (5.23) and alg. 6.3 with every form of weights, from random radiance maps and density
+// weights and the kernel's own visibility masks (they have their own test).
 #include "kernels/kernel_test.h"
 #include "pencils/cell_directions.h"
 #include "reference/tolerances.h"
@@ -145,8 +145,8 @@ struct Projected {
     std::vector<uint> bits;
 };
 
-/// Every sample direction of every surfel against the brute-force nearest pencil. Where several are equally near to rounding (of the kernel's
-/// distances, with the number of the pencil in the lowest bits), any of them may have been taken.
+/// Every sample direction of every surfel against the brute-force nearest pencil. Where several are equally near to rounding (of the
+/// kernel's distances, with the number of the pencil in the lowest bits), any of them may have been taken.
 void check_cells(const TestScene& scene, int pencils, int n, int limit, std::uint32_t seed) {
     SCOPED_TRACE(std::to_string(pencils) + " pencils, " + std::to_string(limit) + " surfels");
     Random random(seed);

@@ -22,8 +22,8 @@ struct Frame {
 };
 
 /// Pencils that may be called the nearest to `sample`: those within `slack` of the smallest 1 - cos, relative to it and absolute.
-inline std::vector<std::size_t> nearest_directions(const dvec3& sample, const std::vector<dvec3>& directions, const std::vector<bool>& visible,
-                                                   double relative = 0.0, double absolute = 0.0) {
+inline std::vector<std::size_t> nearest_directions(const dvec3& sample, const std::vector<dvec3>& directions,
+                                                   const std::vector<bool>& visible, double relative = 0.0, double absolute = 0.0) {
     double nearest = 3.0;
     for (std::size_t i = 0; i < directions.size(); ++i)
         if (visible[i]) nearest = std::min(nearest, 1.0 - glm::dot(sample, directions[i]));

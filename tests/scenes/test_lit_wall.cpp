@@ -106,10 +106,8 @@ TEST(LitWall, DISABLED_TableOfDocsAccuracy) {
     std::printf("irradiance of the lit wall, rendered / exact, mean over %d seeds (RMSE %%)\n| weights | pencils |", seeds);
     for (const Place& place : places) std::printf(" %s |", place.name);
     std::printf("\n|---|---|---|---|---|---|---|\n");
-    const std::array<std::pair<Weights, const char*>, 4> forms{{{Weights::dpdf, "dpdf"},
-                                                                {Weights::voronoi, "voronoi"},
-                                                                {Weights::analytic, "analytic"},
-                                                                {Weights::thesis, "thesis"}}};
+    const std::array<std::pair<Weights, const char*>, 4> forms{
+        {{Weights::dpdf, "dpdf"}, {Weights::voronoi, "voronoi"}, {Weights::analytic, "analytic"}, {Weights::thesis, "thesis"}}};
     for (const auto& [weights, name] : forms) {
         for (const int pencils : {128, 512}) {
             const Row r = row(weights, pencils, 64, seeds);
