@@ -1,6 +1,6 @@
 // Projection R and scattering K: the radiance of a set of pencils, reflected by surfels (thesis eq. (5.23), alg. 6.3). The same kernel
-// serves pencil transport (surfels of the next set's texels) and projection-scatter (surfels of the film): it is the hot loop. How much each
-// pencil counts is said by lib/weights_density.cl or lib/weights_voronoi.cl, one of which is built in.
+// serves pencil transport (surfels of the next set's texels) and projection-scatter (surfels of the film): it is the hot loop. How much
+// each pencil counts is said by lib/weights_density.cl or lib/weights_voronoi.cl, one of which is built in.
 
 /// launch : 1-D, one work-item per block of PENCIL_BLOCK packets of PENCIL_WIDTH surfels
 /// in     : surfels of `capacity` (a multiple of PENCIL_BLOCK * PENCIL_WIDTH); cops[pencil_count]; radiance, cells, groups, hits:
