@@ -16,7 +16,7 @@ namespace {
 const std::vector<std::string> methods{"line", "surface"};
 const std::vector<std::string> initials{"direct", "emission", "auto"};
 const std::vector<std::string> placements{"random", "lds"};
-const std::vector<std::string> weightings{"dpdf", "thesis"};
+const std::vector<std::string> weightings{"dpdf", "voronoi", "analytic", "thesis"};
 const std::vector<std::string> iterations{"sets", "fixed"};
 
 /// An option whose text goes to `read`, which throws std::invalid_argument with what is wrong.

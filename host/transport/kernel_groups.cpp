@@ -16,9 +16,10 @@ const std::vector<KernelGroup>& groups() {
           "light_sample"},
          {"rasterize_octahedral", "fold_hits", "light_surfels", "sample_lights"}},
         // Line projection.
-        {{"packet", "octahedral", "triangle", "surfel", "footprint", "surfel_packet", "bvh", "visibility", "packet_visibility"},
-         {"find_enclosing", "find_sides", "gather_surfels", "test_visibility", "estimate_density", "project_pencils", "store_radiance",
-          "smooth_radiance", "sum_radiance"}},
+        {{"packet", "octahedral", "triangle", "surfel", "footprint", "surfel_packet", "bvh", "visibility", "packet_visibility",
+          "projection", "weights"},
+         {"find_enclosing", "find_sides", "gather_surfels", "test_visibility", "estimate_density", "free_path_density", "project_pencils",
+          "store_radiance", "smooth_radiance", "sum_radiance"}},
         // Surface pencils.
         {{"packet", "hash", "triangle", "surfel", "bvh", "hemisphere", "surface_pencil", "pencil_grid", "film_lattice"},
          {"place_surface_pencils", "trace_hemispheres", "measure_hemispheres", "emit_hemispheres", "sum_hemispheres",

@@ -19,7 +19,7 @@ constexpr int map_size = 32;
 std::vector<dvec3> centres(const Scene& scene, int count) {
     const std::vector<LightForm> forms(scene.shapes.size(), LightForm::samples);
     const FlatScene flat = flatten(scene, forms, 0, 0);
-    Kernels kernels(device(), detect_features(flat, false, 4));
+    Kernels kernels(device(), detect_features(flat, RenderOptions()));
     const DeviceScene on_device(device(), flat);
     const Film film(kernels, on_device, flat.camera, scene.sensor.filter, 0);
     const std::vector<LightSample> samples = sample_lights(scene, flat, forms, 4, 0);
