@@ -31,7 +31,7 @@ SurfacePass surface_pass(int index, const RenderOptions& options, int emitters) 
     pass.weight = grown(0.8);
     pass.work = grown(0.5);
     pass.light_samples =
-        std::max(static_cast<int>(std::lround(0.5 * options.light_samples * std::clamp(0.5 * emitters, 1.0, 4.0) * grown(0.5))), 1);
+        std::max(static_cast<int>(std::lround(0.5 * options.light_samples * std::clamp(0.5 * emitters, 1.0, 4.0) * grown(0.25))), 1);
     pass.texel_light_samples = 16 * pass.light_samples;
     pass.world.pencils = static_cast<int>(std::lround(options.pencils * std::min(grown(0.75), 64.0)));
     pass.world.light_draws = light_draws;
@@ -39,6 +39,7 @@ SurfacePass surface_pass(int index, const RenderOptions& options, int emitters) 
     pass.lattice.most_error = static_cast<float>(0.175 * grown(-0.35));
     pass.lattice.smooth = static_cast<float>(0.25 * grown(-0.25));
     pass.lattice.map = film_map;
+    pass.lattice.finest = 2;
     return pass;
 }
 
