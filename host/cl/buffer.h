@@ -51,6 +51,7 @@ public:
 
     std::size_t size() const { return count_; }
     bool empty() const { return count_ == 0; }
+    bool allocated() const { return storage_ != nullptr; }
     const cl::Buffer& handle() const { return storage().handle(); }
 
     void write(const std::vector<T>& data, std::size_t first = 0) {

@@ -38,12 +38,17 @@ Budget surface_budget(int step) {
 
 std::vector<MeasuredMethod> make_methods() {
     const RenderOptions standard;
-    RenderOptions fixed, thesis;
+    RenderOptions fixed, voronoi, analytic, thesis;
     fixed.iterate = Iterate::fixed;
+    voronoi.weights = Weights::voronoi;
+    analytic.weights = Weights::analytic;
     thesis.weights = Weights::thesis;
     return {pencil_method("sets", "a new, smaller set of pencils for each bounce, consistent weights (the default of pencil render)",
                           standard, ""),
             pencil_method("fixed", "one set of pencils for all bounces, consistent weights", fixed, " --iterate fixed"),
+            pencil_method("voronoi", "a new, smaller set for each bounce, weights by Voronoi cells of directions", voronoi,
+                          " --weights voronoi"),
+            pencil_method("analytic", "a new, smaller set for each bounce, weights by the free path", analytic, " --weights analytic"),
             pencil_method("thesis", "a new, smaller set for each bounce, weights with the normaliser printed in the thesis", thesis,
                           " --weights thesis"),
             {"surface", "pencils on surfaces gather indirect light for the film and for each other (pencil render --method surface)",

@@ -68,6 +68,10 @@ bool follows_rays(const std::vector<Placement>& mixture) {
     });
 }
 
+bool fills_box_evenly(const std::vector<Placement>& mixture) {
+    return std::all_of(mixture.begin(), mixture.end(), [](Placement p) { return p == Placement::random || p == Placement::lds; });
+}
+
 std::unique_ptr<CandidateSource> make_candidate_source(const PlacementScene& scene, const std::vector<Placement>& mixture) {
     if (mixture.empty()) throw UsageError("a placement of pencils is needed");
     std::vector<std::unique_ptr<CandidateSource>> members;

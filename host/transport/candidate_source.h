@@ -35,6 +35,9 @@ public:
 /// True if a member follows probing rays: the device scene needs a hierarchy.
 bool follows_rays(const std::vector<Placement>& mixture);
 
+/// True if all members spread candidates evenly over the scene's box.
+bool fills_box_evenly(const std::vector<Placement>& mixture);
+
 /// What sources are made from; all of it must outlive them. The device scene has a hierarchy if the mixture follows rays.
 struct PlacementScene {
     Kernels& kernels;

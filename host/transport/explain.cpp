@@ -1,6 +1,7 @@
 #include "transport/explain.h"
 
 #include "pencils/light_samples.h"
+#include "transport/weights.h"
 
 namespace pencil {
 
@@ -28,9 +29,8 @@ std::vector<std::string> explain(const Scene& scene, const RenderOptions& option
     if (options.method == Method::surface) {
         lines.push_back("indirect light: pencils on surfaces; left out: octahedral maps of pencils, density, weights, shrinking sets");
     } else {
-        lines.push_back(options.weights == Weights::thesis ? "weights: the printed normaliser of eq. (5.33), which is not consistent"
-                                                           : "weights: self-normalised 1/D, beta from the number of visible pencils");
-        lines.push_back(options.iterate == Iterate::fixed ? "iteration: one fixed set; its geometry maps and density are made once"
+        lines.push_back(explain_weights(features.weights, cell_grid(options.pencils)));
+        lines.push_back(options.iterate == Iterate::fixed ? "iteration: one fixed set; its geometry maps and weights are made once"
                                                           : "iteration: a new, smaller set for each bounce");
     }
     if (!features.smooth)

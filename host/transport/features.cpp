@@ -3,21 +3,24 @@
 #include <stdexcept>
 
 #include "transport/kernel_groups.h"
+#include "transport/weights.h"
 
 namespace pencil {
 
-Features detect_features(const FlatScene& scene, bool thesis_weights, int film_samples, bool bvh) {
+Features detect_features(const FlatScene& scene, const RenderOptions& options) {
     Features features;
     features.smooth = !scene.normals.empty();
-    features.thesis_weights = thesis_weights;
-    features.film_samples = film_samples;
-    features.bvh = bvh;
+    features.weights = options.weights;
+    features.cell_grid = options.weights == Weights::voronoi ? largest_cell_grid(options.pencils) : 0;
+    features.bvh = options.method == Method::surface;
+    features.film_samples = options.film_samples;
     return features;
 }
 
 Defines to_defines(const Features& features, int block) {
     return {{"PENCIL_SMOOTH", features.smooth ? "1" : "0"},
-            {"PENCIL_WEIGHTS_THESIS", features.thesis_weights ? "1" : "0"},
+            {"PENCIL_WEIGHTS", std::to_string(kernel_weights(features.weights))},
+            {"PENCIL_CELL_GRID", std::to_string(features.cell_grid)},
             {"PENCIL_BVH", features.bvh ? "1" : "0"},
             {"PENCIL_BLOCK", std::to_string(block)},
             {"PENCIL_FILM_SAMPLES", std::to_string(features.film_samples)}};
@@ -26,9 +29,11 @@ Defines to_defines(const Features& features, int block) {
 Launch Kernels::get(const std::string& name) {
     const KernelGroup* group = find_group(name);
     if (!group) throw std::logic_error("kernel " + name + " is in no group of kernel_groups.cpp");
-    std::vector<std::string> files = {"shared/types.h", "shared/atlas.h", "shared/geometry.h", "shared/camera.h",        "shared/surfel.h",
-                                      "shared/light.h", "shared/film.h",  "shared/bvh.h",      "shared/surface_pencil.h"};
-    for (const std::string& library : group->libraries) files.push_back("lib/" + library + ".cl");
+    std::vector<std::string> files = {"shared/types.h",          "shared/atlas.h",  "shared/geometry.h", "shared/camera.h",
+                                      "shared/surfel.h",         "shared/light.h",  "shared/film.h",     "shared/bvh.h",
+                                      "shared/surface_pencil.h", "shared/weights.h"};
+    for (const std::string& library : group->libraries)
+        files.push_back("lib/" + (library == "weights" ? weights_library(features_.weights) : library) + ".cl");
     for (const std::string& kernel : group->kernels) files.push_back(kernel + ".cl");
     return cache_.kernel(name, files, to_defines(features_, block()));
 }

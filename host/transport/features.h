@@ -6,17 +6,19 @@
 
 #include "cl/program.h"
 #include "pencils/flat_scene.h"
+#include "transport/render.h"
 
 namespace pencil {
 
 struct Features {
-    bool smooth = false;          // some triangle has vertex normals: interpolated shading normals
-    bool thesis_weights = false;  // printed normaliser, eq. (5.33)
-    bool bvh = false;             // the scene has a hierarchy: rays settle what geometry maps leave open
-    int film_samples = 16;        // visibility samples per pixel
+    bool smooth = false;  // some triangle has vertex normals: interpolated shading normals
+    Weights weights = Weights::dpdf;
+    int cell_grid = 0;      // root of the greatest number of directions that sample Voronoi cells, 0 for other weights
+    bool bvh = false;       // the scene has a hierarchy: rays settle what geometry maps leave open
+    int film_samples = 16;  // visibility samples per pixel
 };
 
-Features detect_features(const FlatScene& scene, bool thesis_weights, int film_samples, bool bvh = false);
+Features detect_features(const FlatScene& scene, const RenderOptions& options);
 Defines to_defines(const Features& features, int block);
 
 /// Kernels of one render: the program cache with the render's specialisation.

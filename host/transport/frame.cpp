@@ -31,7 +31,7 @@ RenderContext::RenderContext(const Scene& scene_to_render, const RenderOptions& 
       options(render_options),
       forms(choose_light_forms(scene, options.initial == Initial::direct, options.initial == Initial::emission)),
       flat(flatten(scene, forms, options.width, options.height)),
-      kernels(device, detect_features(flat, options.weights == Weights::thesis, options.film_samples, options.method == Method::surface)),
+      kernels(device, detect_features(flat, options)),
       clock(device, progress),
       device_scene(device, flat, hierarchy(*this)) {
     for (std::size_t i = 0; i < forms.size(); ++i) maps_emit = maps_emit || (scene.shapes[i].emits && forms[i] == LightForm::maps);

@@ -94,10 +94,18 @@ std::vector<bool> FreeSpace::accepted(Kernels& kernels, const GeometryMaps& maps
             grown = reach_row(row) || grown;
         }
     }
+    candidates_ += maps.count;
     const auto solid = static_cast<int>(std::count(outside.begin(), outside.end(), false));
     in_solids_ += solid;
     unreached_ += static_cast<int>(std::count(result.begin(), result.end(), false)) - solid;
     return result;
+}
+
+CentreSpace FreeSpace::space() const {
+    const glm::dvec3 size = flat_.high - flat_.low;
+    const int rejected = in_solids_ + unreached_;
+    const double share = candidates_ > rejected ? 1.0 - static_cast<double>(rejected) / candidates_ : 1.0;
+    return {flat_.low, flat_.high, share * size.x * size.y * size.z};
 }
 
 std::shared_ptr<GeometryMaps> FreeSpace::create(Kernels& kernels, CandidateSource& source, int count, int set, const PowerSeen& power) {

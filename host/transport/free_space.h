@@ -2,6 +2,7 @@
 // share.
 #pragma once
 
+#include <glm/vec3.hpp>
 #include <set>
 #include <vector>
 
@@ -12,6 +13,12 @@
 #include "transport/surfels.h"
 
 namespace pencil {
+
+/// Where centres lie [normalised scene units].
+struct CentreSpace {
+    glm::dvec3 low{0}, high{0};
+    double volume = 0;
+};
 
 /// Two rules, both decided by what a centre's own maps show:
 /// - A centre is inside a solid if the backs of one shape fill more than half of what it sees, and that shape is not a room. A shape is a
@@ -35,6 +42,8 @@ public:
     /// Candidates rejected so far by each rule.
     int in_solids() const { return in_solids_; }
     int unreached() const { return unreached_; }
+    /// The box of the candidates, and by the share of them accepted so far the volume of the part of it where centres are.
+    CentreSpace space() const;
 
     static constexpr int most_rounds = 16;
 
@@ -50,7 +59,7 @@ private:
     std::set<int> rooms_;
     std::vector<uint> reached_;  // bit set of sides, see find_sides.h
     bool any_reached_ = false;
-    int in_solids_ = 0, unreached_ = 0;
+    int candidates_ = 0, in_solids_ = 0, unreached_ = 0;
 };
 
 }  // namespace pencil

@@ -16,9 +16,10 @@ const std::vector<KernelGroup>& groups() {
           "light_sample"},
          {"rasterize_octahedral", "fold_hits", "light_surfels", "sample_lights"}},
         // Line projection.
-        {{"packet", "octahedral", "triangle", "surfel", "footprint", "surfel_packet", "bvh", "visibility", "packet_visibility"},
-         {"find_enclosing", "find_sides", "gather_surfels", "test_visibility", "estimate_density", "project_pencils", "store_radiance",
-          "smooth_radiance", "sum_radiance"}},
+        {{"packet", "octahedral", "triangle", "surfel", "footprint", "surfel_packet", "bvh", "visibility", "packet_visibility",
+          "projection", "weights"},
+         {"find_enclosing", "find_sides", "gather_surfels", "test_visibility", "estimate_density", "free_path_density", "project_pencils",
+          "store_radiance", "smooth_radiance", "sum_radiance"}},
         // Rays that find places for pencils.
         {{"packet", "triangle", "surfel", "bvh"}, {"trace_probing_rays"}},
         // Surface pencils.

@@ -53,8 +53,8 @@ private:
         for (int index = 0;; ++index, ++order) {
             series_.add(sum_radiance(context_.kernels, set));
             const double seconds = clock.run("projection-scatter", [&] {
-                project_pencils(context_.kernels, context_.device_scene, frame_.film().surfels(), set, frame_.outgoing(), visible_,
-                                "projection-scatter");
+                project_pencils(context_.kernels, context_.device_scene, frame_.film().surfels(), set, solver.weight_tables(),
+                                frame_.outgoing(), visible_, "projection-scatter");
             });
             if (index == 0) count_blind();
             frame_.finish_bounce(order + 1, set.maps->count, seconds);
@@ -70,7 +70,7 @@ private:
     PencilSet next_set(PencilSolver& solver, const PencilSet& set, int index, bool direct) {
         const bool fixed = context_.options.iterate == Iterate::fixed;
         PencilSet next = fixed ? PencilSet(context_.kernels.device(), set.maps) : solver.create(index, &set, false, direct);
-        if (fixed)
+        if (fixed && weights_in_maps(context_.options.weights))
             next.radiance.copy_from(set.radiance, 0, 0, set.radiance.size());  // the quadrature weights stay, the radiance is overwritten
         solver.fill(next, &set, false, direct, !fixed);
         return next;

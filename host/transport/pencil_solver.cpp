@@ -5,6 +5,7 @@
 
 #include "transport/emit_surfels.h"
 #include "transport/estimate_density.h"
+#include "transport/free_path_density.h"
 #include "transport/gather_surfels.h"
 #include "transport/light_surfels.h"
 #include "transport/project_pencils.h"
@@ -40,7 +41,8 @@ PencilSolver::PencilSolver(Kernels& kernels, const DeviceScene& scene, FreeSpace
       candidates_(candidates),
       lights_(lights),
       options_(options),
-      clock_(clock) {}
+      clock_(clock),
+      tables_(kernels) {}
 
 int PencilSolver::set_size(int index) const {
     const double size = options_.pencils * std::pow(options_.decay, index);
@@ -78,18 +80,19 @@ void PencilSolver::send(const GeometryMaps& maps, int first, int count, const Pe
     outgoing.fill_zero();
     if (emission) emit_surfels(kernels_, scene_, surfels, true, outgoing);
     if (direct) light_surfels(kernels_, scene_, surfels, lights_, outgoing, "direct light to pencils");
-    if (source) project_pencils(kernels_, scene_, surfels, *source, outgoing, visible, "pencil transport");
+    if (source) project_pencils(kernels_, scene_, surfels, *source, tables_, outgoing, visible, "pencil transport");
 }
 
-void PencilSolver::fill(PencilSet& target, const PencilSet* source, bool emission, bool direct, bool density) {
+void PencilSolver::fill(PencilSet& target, const PencilSet* source, bool emission, bool direct, bool weights) {
     const auto& device = kernels_.device();
     const int n = target.maps->n;
     const int tiles = chunk_tiles(n, target.maps->count);
     Surfels surfels(device, tiles * n * n, "surfels of pencil maps");
     Buffer<float> outgoing = surfel_rgb(device, surfels.capacity, "radiance of pencil maps");
     Buffer<int> visible(device, static_cast<std::size_t>(surfels.capacity), "visible pencils");
+    const bool density = weights && weights_in_maps(options_.weights);
     Buffer<uint> mask;
-    if (density)
+    if (density && weights_need_masks(options_.weights))
         mask = Buffer<uint>(device, static_cast<std::size_t>(surfels.capacity) * static_cast<std::size_t>(mask_words(target.maps->count)),
                             "visibility masks");
     for (int first = 0; first < target.maps->count; first += tiles) {
@@ -100,8 +103,12 @@ void PencilSolver::fill(PencilSet& target, const PencilSet* source, bool emissio
         });
         if (!density) continue;
         clock_.run("pencil density", [&] {
-            test_visibility(kernels_, scene_, surfels, *target.maps, mask);
-            estimate_density(kernels_, surfels, mask, first, target);
+            if (weights_need_masks(options_.weights)) {
+                test_visibility(kernels_, scene_, surfels, *target.maps, mask);
+                estimate_density(kernels_, surfels, mask, first, target);
+            } else {
+                free_path_density(kernels_, first, count, free_space_.space(), target);
+            }
             store_radiance(kernels_, surfels, outgoing, first, count, target);
         });
     }

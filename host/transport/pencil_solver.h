@@ -9,6 +9,7 @@
 #include "transport/render.h"
 #include "transport/stage_clock.h"
 #include "transport/surfels.h"
+#include "transport/weights.h"
 
 namespace pencil {
 
@@ -28,10 +29,11 @@ public:
     PencilSet create(int index, const PencilSet* source, bool emission, bool direct);
 
     /// What the texels of `target` send to their centres, which becomes its radiance: emission that the maps carry (`emission`), reflected
-    /// direct light (`direct`), and the radiance of `source` after one more bounce (if not null; thesis alg. 6.3). With `density` the
-    /// quadrature weights of the set are made too (alg. 6.1).
-    void fill(PencilSet& target, const PencilSet* source, bool emission, bool direct, bool density);
+    /// direct light (`direct`), and the radiance of `source` after one more bounce (if not null; thesis alg. 6.3). With `weights` the
+    /// quadrature weights of its texels are made too (alg. 6.1), where the form needs any.
+    void fill(PencilSet& target, const PencilSet* source, bool emission, bool direct, bool weights);
 
+    WeightTables& weight_tables() { return tables_; }
     const SetTimes& times() const { return times_; }
     void reset_times() { times_ = {}; }
 
@@ -47,6 +49,7 @@ private:
     const LightSet& lights_;
     const RenderOptions& options_;
     StageClock& clock_;
+    WeightTables tables_;
     SetTimes times_;
 };
 

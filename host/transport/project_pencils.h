@@ -5,12 +5,13 @@
 #include "transport/features.h"
 #include "transport/pencil_set.h"
 #include "transport/surfels.h"
+#include "transport/weights.h"
 
 namespace pencil {
 
 /// Adds the radiance of `set` reflected by the surfels, thesis alg. 6.3; `visible` gets the number of pencils each surfel sees.
 /// `what` is the profiling key: "pencil transport" or "projection-scatter".
-void project_pencils(Kernels& kernels, const DeviceScene& scene, const Surfels& surfels, const PencilSet& set, Buffer<float>& outgoing,
-                     Buffer<int>& visible, const std::string& what);
+void project_pencils(Kernels& kernels, const DeviceScene& scene, const Surfels& surfels, const PencilSet& set, WeightTables& weights,
+                     Buffer<float>& outgoing, Buffer<int>& visible, const std::string& what);
 
 }  // namespace pencil

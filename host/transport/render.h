@@ -17,7 +17,7 @@ namespace pencil {
 enum class Method { line, surface };
 enum class Initial { direct, emission, automatic };
 enum class Placement { random, lds, near_surface, light_rays, camera_rays, profile };
-enum class Weights { dpdf, thesis };
+enum class Weights { dpdf, voronoi, analytic, thesis };
 enum class Iterate { sets, fixed };
 
 struct RenderOptions {

@@ -15,6 +15,8 @@ typedef uint vuint;
 #define PACKET_TO_INT(v) convert_int(v)
 #define PACKET_TO_FLOAT(v) convert_float(v)
 #define PACKET_AS_UINT(v) as_uint(v)
+#define PACKET_AS_INT(v) as_int(v)
+#define PACKET_LOAD_USHORT(p) convert_int(*(p))
 #define PACKET_LANES (vint)(0)
 #define PACKET_LANE_BIT 1
 #define PACKET_BITS(mask) ((mask)&1)
@@ -32,6 +34,8 @@ typedef PACKET_JOIN(uint, PENCIL_WIDTH) vuint;
 #define PACKET_TO_INT(v) PACKET_JOIN(convert_int, PENCIL_WIDTH)(v)
 #define PACKET_TO_FLOAT(v) PACKET_JOIN(convert_float, PENCIL_WIDTH)(v)
 #define PACKET_AS_UINT(v) PACKET_JOIN(as_uint, PENCIL_WIDTH)(v)
+#define PACKET_AS_INT(v) PACKET_JOIN(as_int, PENCIL_WIDTH)(v)
+#define PACKET_LOAD_USHORT(p) PACKET_TO_INT(PACKET_LOAD(p))
 // Splits PENCIL_WIDTH pairs of ints into their first and second members.
 #if PENCIL_WIDTH == 16
 #define PACKET_LOAD_PAIRS(p, a, b) (a) = (vint)(vload16(0, p).even, vload16(1, p).even), (b) = (vint)(vload16(0, p).odd, vload16(1, p).odd)
@@ -53,6 +57,9 @@ typedef PACKET_JOIN(uint, PENCIL_WIDTH) vuint;
 
 /// The mask of lanes whose bits are set. LOWEST_LANE: of bits that are not 0.
 #define PACKET_FROM_BITS(bits) PACKET_MASK(((vint)(bits)&PACKET_LANE_BIT) != 0)
+
+/// The smaller of two numbers: one instruction, where fmin minds NaN.
+#define PACKET_MIN(a, b) ((b) < (a) ? (b) : (a))
 
 /// One lane of a packet in private memory.
 #define LANE_FLOAT(v, l) (((const float *)&(v))[l])

@@ -13,6 +13,7 @@ void project(benchmark::State& state, const Surfels& surfels, const std::string&
     const HostMaps maps(*bench.set.maps, bench.view());
     const HostSurfels host(surfels);
     const std::vector<float4> radiance = bench.set.radiance.read();
+    WeightTables tables(bench.kernels);
     Buffer<float> outgoing = surfel_rgb(device(), surfels.capacity, "outgoing");
     Buffer<int> visible(device(), static_cast<std::size_t>(surfels.capacity), "visible");
     std::vector<float> native_outgoing(static_cast<std::size_t>(surfels.capacity) * 3);
@@ -20,7 +21,7 @@ void project(benchmark::State& state, const Surfels& surfels, const std::string&
     const double pairs = static_cast<double>(surfels.count) * maps.view().count;
     compare(
         state, {product(surfels.count, "surfels", maps.view().count, "pencils"), pairs, pairs * pair_bytes, {what}},
-        [&] { project_pencils(bench.kernels, bench.on_device, surfels, bench.set, outgoing, visible, what); },
+        [&] { project_pencils(bench.kernels, bench.on_device, surfels, bench.set, tables, outgoing, visible, what); },
         [&] {
             native::project_pencils(bench.view(), host.view(), maps.view(), radiance.data(), {native_outgoing.data(), host.view().capacity},
                                     native_visible.data());

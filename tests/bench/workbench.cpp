@@ -18,6 +18,7 @@ RenderOptions options() {
     RenderOptions options;
     options.pencils = sizes().pencils;
     options.map = sizes().map;
+    options.film_samples = sizes().film_samples;
     return options;
 }
 
@@ -32,7 +33,7 @@ LightSet make_lights(Kernels& kernels, const DeviceScene& on_device, const Scene
 Workbench::Workbench()
     : scene(cornell_box()),
       flat(flatten(scene, sampled(scene), sizes().film, sizes().film)),
-      kernels(device(), detect_features(flat, false, sizes().film_samples)),
+      kernels(device(), detect_features(flat, options())),
       on_device(device(), flat),
       film(kernels, on_device, flat.camera, scene.sensor.filter, 0),
       lights(make_lights(kernels, on_device, scene, flat)) {

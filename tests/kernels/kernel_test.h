@@ -102,10 +102,11 @@ inline TestScene room_scene(std::uint32_t seed, int things) {
     return make_scene(triangles, 7, seed + 1);
 }
 
-inline Kernels make_kernels(bool smooth = false, bool thesis = false, int film_samples = 4) {
+inline Kernels make_kernels(bool smooth = false, Weights weights = Weights::dpdf, int cell_grid = 0, int film_samples = 4) {
     Features features;
     features.smooth = smooth;
-    features.thesis_weights = thesis;
+    features.weights = weights;
+    features.cell_grid = cell_grid;
     features.film_samples = film_samples;
     return Kernels(device(), features);
 }

@@ -19,7 +19,7 @@ struct Classified {
 };
 
 Classified classify(TestScene scene, const TestCamera& view, int samples) {
-    Kernels kernels = make_kernels(false, false, samples);
+    Kernels kernels = make_kernels(false, Weights::dpdf, 0, samples);
     scene.flat.to_film = view.to_film;
     const DeviceScene s(device(), scene.flat);
     const std::vector<glm::vec2> offsets = film_sample_offsets(samples, 6);

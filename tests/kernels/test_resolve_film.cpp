@@ -59,7 +59,7 @@ void check(const Case& c, int width, int height, int samples, bool constant) {
     filter.radius = c.radius;
     const std::vector<glm::vec2> offsets = film_sample_offsets(samples, 7);
     const FilterTable table = tabulate_filter(filter, offsets);
-    Kernels kernels = make_kernels(false, false, samples);
+    Kernels kernels = make_kernels(false, Weights::dpdf, 0, samples);
     Buffer<float> image(device(), static_cast<std::size_t>(width * height) * 3, "image");
     kernels.get("resolve_film")
         .args(Buffer<float>(device(), values, "values"), first_field, capacity, Buffer<unsigned char>(device(), pixels.slots, "slots"),

@@ -19,14 +19,36 @@ RenderOptions emission_options() {
     return options;
 }
 
-class Furnace : public testing::TestWithParam<Iterate> {};
-INSTANTIATE_TEST_SUITE_P(Iterate, Furnace, testing::Values(Iterate::sets, Iterate::fixed),
-                         [](const auto& test) { return test.param == Iterate::sets ? "sets" : "fixed"; });
+struct Form {
+    const char* name;
+    Iterate iterate;
+    Weights weights;
+    Placement placement;
+};
+std::ostream& operator<<(std::ostream& out, const Form& form) { return out << form.name; }
+
+class Furnace : public testing::TestWithParam<Form> {
+protected:
+    RenderOptions options() const {
+        RenderOptions out = emission_options();
+        out.iterate = GetParam().iterate;
+        out.weights = GetParam().weights;
+        out.placement = GetParam().placement;
+        return out;
+    }
+};
+INSTANTIATE_TEST_SUITE_P(Form, Furnace,
+                         testing::Values(Form{"sets", Iterate::sets, Weights::dpdf, Placement::lds},
+                                         Form{"fixed", Iterate::fixed, Weights::dpdf, Placement::lds},
+                                         Form{"voronoi_sets", Iterate::sets, Weights::voronoi, Placement::random},
+                                         Form{"voronoi_fixed", Iterate::fixed, Weights::voronoi, Placement::lds},
+                                         Form{"analytic_sets", Iterate::sets, Weights::analytic, Placement::lds},
+                                         Form{"analytic_fixed", Iterate::fixed, Weights::analytic, Placement::random}),
+                         [](const auto& test) { return test.param.name; });
 
 TEST_P(Furnace, BeautyIsTheWholeSeries) {
     for (const float albedo : {0.5F, 0.8F}) {
-        RenderOptions options = emission_options();
-        options.iterate = GetParam();
+        RenderOptions options = this->options();
         options.tolerance = 1e-4;  // the part left out is then below a^k / (1 - a) < promised / 2
         const RenderResult result = render_layers(furnace(albedo), options);
         SCOPED_TRACE(albedo);
@@ -35,8 +57,7 @@ TEST_P(Furnace, BeautyIsTheWholeSeries) {
 }
 
 TEST_P(Furnace, BouncesArePowersOfTheAlbedo) {
-    RenderOptions options = emission_options();
-    options.iterate = GetParam();
+    RenderOptions options = this->options();
     options.bounces = 4;
     const double a = 0.8F;
     const RenderResult result = render_layers(furnace(0.8F), options, {"emission", "direct", "bounces"});
@@ -52,8 +73,7 @@ TEST_P(Furnace, BouncesArePowersOfTheAlbedo) {
 }
 
 TEST_P(Furnace, ResidualCoversTheError) {
-    RenderOptions options = emission_options();
-    options.iterate = GetParam();
+    const RenderOptions options = this->options();
     const RenderResult result = render_layers(furnace(0.9F), options);
     const double truth = 1.0 / (1.0 - 0.9F), error = std::abs(pixel(layer(result, ""), 0).x / truth - 1.0);
     EXPECT_LE(error, 1.5 * result.stats.residual + promised) << "residual " << result.stats.residual;

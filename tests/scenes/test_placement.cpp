@@ -27,7 +27,7 @@ public:
         : scene_(scene),
           forms_(scene.shapes.size(), LightForm::samples),
           flat_(flatten(scene_, forms_, 0, 0)),
-          kernels_(device(), detect_features(flat_, false, 4)),
+          kernels_(device(), detect_features(flat_, RenderOptions())),
           on_device_(device(), flat_, build_bvh(flat_.triangles)),
           film_(kernels_, on_device_, flat_.camera, scene_.sensor.filter, 0),
           source_(make_candidate_source({kernels_, on_device_, scene_, flat_, seed}, mixture)) {
@@ -208,6 +208,16 @@ TEST(Placement, WrongMixturesAreRefused) {
     const Scene scene = room_with_block(one_sided);
     EXPECT_THROW(Placed(scene, {}), UsageError);
     EXPECT_THROW(Placed(scene, {Placement::lds, Placement::profile, Placement::lds}), UsageError);
+}
+
+TEST(Placement, AnalyticWeightsNeedCentresSpreadEvenly) {
+    RenderOptions options;
+    options.weights = Weights::analytic;
+    options.pencils = 4;
+    options.placement = {Placement::lds, Placement::camera_rays};
+    EXPECT_THROW(render_layers(furnace(0.5F), options), UsageError);
+    options.placement = {Placement::lds, Placement::random};
+    EXPECT_NO_THROW(render_layers(furnace(0.5F), options));
 }
 
 TEST(Placement, WithoutAStartTheBoxIsTaken) {

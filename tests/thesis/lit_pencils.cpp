@@ -38,7 +38,7 @@ LitPencils::LitPencils(const std::shared_ptr<Device>& device, const LookUpOption
     : scene_(load_scene(options.scene)),
       forms_(choose_light_forms(scene_, true, false)),
       flat_(flatten(scene_, forms_, options.resolution, options.resolution)),
-      kernels_(device, detect_features(flat_, false, 1)),
+      kernels_(device, detect_features(flat_, RenderOptions())),
       device_scene_(device, flat_),
       film_(kernels_, device_scene_, flat_.camera, scene_.sensor.filter, 0) {
     make_pencils(device, options);

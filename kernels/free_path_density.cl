@@ -1,0 +1,32 @@
+// Analytic density of pencils per direction. A surface point sees a pencil in the directions of a cone if its centre lies in the cone and
+// before the next surface. For n centres uniform in the free volume the density per solid angle is p = n d^3 / (3 volume), d the free path
+// of the line through pencil and point. Both ends of the line stand in the pencil's own map, at a texel and at its antipode.
+
+/// Share of a uniform density over the hemisphere that is added to p, relative to n pencils.
+#define UNIFORM_SHARE 0.02f
+
+/// Euclidean distance from cop to what a texel sees, or to where the ray leaves the box in which centres lie.
+inline float free_distance(Hit hit, float4 cop, float4 direction, float4 low, float4 high) {
+    float3 ends = select(low.xyz, high.xyz, direction.xyz > 0.0f) - cop.xyz;
+    float3 exits = select(ends / direction.xyz, (float3)(MAXFLOAT), direction.xyz == 0.0f);
+    float end = fmax(fmin(exits.x, fmin(exits.y, exits.z)), 0.0f);
+    if (hit.triangle >= 0) end = fmin(end, 1.0f / hit.disparity);
+    return length(direction.xyz) * end;
+}
+
+/// launch : 1-D, one work-item per texel of `tile_count` tiles from first_tile
+/// in     : hits, cops of tiles of n x n; low, high: box in which centres lie; volume: of its part in which they may lie
+/// out    : radiance, atlas layout, w of interior texels: 1 / (d^3 / (3 volume) + UNIFORM_SHARE / (2 pi)), n times 1/D
+/// DEVIATION: no directions are drawn from the uniform density. It only keeps the weights bounded where a wall is near: d^3 tends to 0.
+kernel void free_path_density(global const Hit *hits, global const float4 *cops, int first_tile, int tile_count, int n, float4 low,
+                              float4 high, float volume, global float4 *radiance) {
+    int i = get_global_id(0);
+    if (i >= tile_count * n * n) return;
+    int tile = first_tile + i / (n * n);
+    int2 texel = (int2)(i % n, i / n % n), behind = oct_antipode(texel, n);
+    float4 cop = cops[tile], direction = oct_texel_direction(texel, n);
+    int at = oct_atlas_index(tile, texel, n);
+    float d = free_distance(hits[at], cop, direction, low, high) +
+              free_distance(hits[oct_atlas_index(tile, behind, n)], cop, -direction, low, high);
+    radiance[at].w = 1.0f / (d * d * d / (3.0f * volume) + UNIFORM_SHARE / (2.0f * M_PI_F));
+}
