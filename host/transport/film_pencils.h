@@ -44,8 +44,8 @@ private:
     Buffer<int> pencil_at_;
     SurfacePencils pencils_;
     Buffer<unsigned char> uncovered_;  // by surfel
-    SurfacePencils singles_;  // of surfels that the finest lattice leaves uncovered
-    Buffer<int> single_at_;   // by surfel, -1: none
+    SurfacePencils singles_;           // of surfels that the finest lattice leaves uncovered
+    Buffer<int> single_at_;            // by surfel, -1: none
     int gathered_ = 0;
 };
 

@@ -89,7 +89,8 @@ private:
         double spent = seconds();
         for (int index = 0;; ++index) {
             const SurfacePass pass = surface_pass(index, context_.options, context_.flat.camera, emitters());
-            Frame frame(context_, index == 0 ? aovs_ : light_layers(aovs_), pass.light_samples, 0, seed + static_cast<std::uint64_t>(index));
+            Frame frame(context_, index == 0 ? aovs_ : light_layers(aovs_), pass.light_samples, 0,
+                        seed + static_cast<std::uint64_t>(index));
             const bool lit = add_direct(frame);
             if (lit) add_surface_bounces(context_, pass, frame, seed + static_cast<std::uint64_t>(index));
             if (index > 0 && context_.clock.stopped()) break;  // half a pass is worth nothing beside whole ones
