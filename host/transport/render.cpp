@@ -23,7 +23,7 @@ class Renderer {
 public:
     Renderer(const Scene& scene, const RenderOptions& options, const std::vector<std::string>& aovs, std::shared_ptr<Device> device,
              const Progress& progress)
-        : aovs_(aovs), context_(scene, options, std::move(device), progress) {}
+        : aovs_(aovs), built_before_(device->build_seconds()), context_(scene, options, std::move(device), progress) {}
 
     RenderResult run() {
         check_options();
@@ -125,7 +125,7 @@ private:
     }
 
     /// Since the start, but for building kernels: that is the driver's time, and none once its cache is warm.
-    double seconds() const { return watch_.seconds() - context_.kernels.device()->build_seconds(); }
+    double seconds() const { return watch_.seconds() - (context_.kernels.device()->build_seconds() - built_before_); }
 
     RenderResult finish(std::vector<Layer> layers) {
         RenderResult result;
@@ -143,6 +143,7 @@ private:
 
     std::vector<std::string> aovs_;
     Stopwatch watch_;
+    double built_before_;  // seconds of kernel builds for earlier renders on the device
     RenderContext context_;
 };
 
