@@ -95,6 +95,20 @@ std::size_t parse_choice(const std::string& text, const std::vector<std::string>
     return static_cast<std::size_t>(found - known.begin());
 }
 
+std::vector<std::size_t> parse_mixture(const std::string& text, const std::vector<std::string>& known) {
+    std::vector<std::size_t> members;
+    for (std::size_t start = 0; start <= text.size();) {
+        const std::size_t plus = std::min(text.find('+', start), text.size());
+        const std::size_t member = parse_choice(text.substr(start, plus - start), known);
+        if (std::find(members.begin(), members.end(), member) != members.end()) {
+            throw std::invalid_argument("\"" + text + "\" names " + known[member] + " twice");
+        }
+        members.push_back(member);
+        start = plus + 1;
+    }
+    return members;
+}
+
 std::string join(const std::vector<std::string>& parts) {
     std::string joined;
     for (const std::string& part : parts) {

@@ -21,6 +21,8 @@ std::pair<std::string, std::string> parse_define(const std::string& text);
 std::vector<std::string> parse_list(const std::string& text, const std::vector<std::string>& known);
 /// The position of `text` in `known`.
 std::size_t parse_choice(const std::string& text, const std::vector<std::string>& known);
+/// "a" or "a+b+c", each once, to their positions in `known`, in the order of the text.
+std::vector<std::size_t> parse_mixture(const std::string& text, const std::vector<std::string>& known);
 
 /// "a, b, c".
 std::string join(const std::vector<std::string>& parts);

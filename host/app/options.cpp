@@ -17,7 +17,7 @@ const std::vector<std::string> methods{"line", "surface"};
 /// What only line projection knows.
 const std::vector<std::string> line_options{"--decay", "--map", "--placement", "--weights", "--iterate"};
 const std::vector<std::string> initials{"direct", "emission", "auto"};
-const std::vector<std::string> placements{"random", "lds"};
+const std::vector<std::string> placements{"random", "lds", "near-surface", "light-rays", "camera-rays", "profile"};
 const std::vector<std::string> weightings{"dpdf", "voronoi", "analytic", "thesis"};
 const std::vector<std::string> iterations{"sets", "fixed"};
 
@@ -120,7 +120,11 @@ void add_solver_options(CLI::App& app, RenderCommand& command) {
         });
     add_integer(app, "--light-samples", options.light_samples, 1, many, "Point samples over all emitters");
     add_choice(app, "--initial", options.initial, initials, "How direct light enters the first set");
-    add_choice(app, "--placement", options.placement, placements, "Where the pencils lie");
+    add(app, "--placement", "Where the pencils lie, or a mixture like lds+near-surface {" + join(placements) + "}", "A+B",
+        to_string(options.placement), [&options](const std::string& text) {
+            options.placement.clear();
+            for (const std::size_t index : parse_mixture(text, placements)) options.placement.push_back(static_cast<Placement>(index));
+        });
     add_choice(app, "--weights", options.weights, weightings, "Quadrature weights of the pencils");
     add_choice(app, "--iterate", options.iterate, iterations, "Shrinking sets or one fixed set");
     add(app, "--tolerance", "Stop when a bounce adds less than this share (above 0, at most 1)", "X", format_real(options.tolerance),
@@ -236,7 +240,11 @@ const std::vector<std::string>& all_method_names() {
 
 std::string to_string(Method value) { return methods[static_cast<std::size_t>(value)]; }
 std::string to_string(Initial value) { return initials[static_cast<std::size_t>(value)]; }
-std::string to_string(Placement value) { return placements[static_cast<std::size_t>(value)]; }
+std::string to_string(const std::vector<Placement>& mixture) {
+    std::string joined;
+    for (const Placement member : mixture) joined += (joined.empty() ? "" : "+") + placements[static_cast<std::size_t>(member)];
+    return joined;
+}
 std::string to_string(Weights value) { return weightings[static_cast<std::size_t>(value)]; }
 std::string to_string(Iterate value) { return iterations[static_cast<std::size_t>(value)]; }
 

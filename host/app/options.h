@@ -90,7 +90,7 @@ const std::vector<std::string>& all_method_names();
 /// As the command line spells them.
 std::string to_string(Method value);
 std::string to_string(Initial value);
-std::string to_string(Placement value);
+std::string to_string(const std::vector<Placement>& mixture);
 std::string to_string(Weights value);
 std::string to_string(Iterate value);
 

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "pencils/low_discrepancy.h"
+#include "pencils/warps.h"
 
 namespace pencil {
 
@@ -12,26 +13,12 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-double luminance(const glm::vec3& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
-
 struct Corners {
     glm::dvec3 a, b, c;
     double area() const { return 0.5 * glm::length(glm::cross(b - a, c - a)); }
 };
 
 Corners corners_of(const Triangle& t) { return {glm::dvec3(t.v0), glm::dvec3(t.v1), glm::dvec3(t.v2)}; }
-
-/// Low-distortion map of the unit square to a triangle's barycentric coordinates (Heitz 2019).
-glm::dvec2 square_to_triangle(glm::dvec2 u) {
-    if (u.y > u.x) {
-        u.x *= 0.5;
-        u.y -= u.x;
-    } else {
-        u.y *= 0.5;
-        u.x -= u.y;
-    }
-    return u;
-}
 
 /// Barycentric coordinates of sample `k` of a triangle: threes of samples are one point and its two rotations among the corners. Their mean
 /// is the centre, so linear functions over the triangle are integrated exactly, and the distribution stays uniform.

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 namespace pencil {
 
@@ -23,7 +24,7 @@ inline double random_unit(std::uint64_t seed, std::uint64_t stream, std::uint64_
 
 inline double fraction(double x) { return x - std::floor(x); }
 
-/// Additive recurrence of the generalised golden ratios (Roberts 2018): R2 and R3, shifted.
+/// Additive recurrence of the generalised golden ratios (Roberts 2018): R2, R3 and R4, shifted.
 inline glm::dvec2 r2_sequence(std::uint64_t index, const glm::dvec2& shift) {
     constexpr double g = 1.32471795724474602596;
     const double i = static_cast<double>(index);
@@ -33,6 +34,12 @@ inline glm::dvec3 r3_sequence(std::uint64_t index, const glm::dvec3& shift) {
     constexpr double g = 1.22074408460575947536;
     const double i = static_cast<double>(index);
     return {fraction(shift.x + i * (1.0 / g)), fraction(shift.y + i * (1.0 / (g * g))), fraction(shift.z + i * (1.0 / (g * g * g)))};
+}
+inline glm::dvec4 r4_sequence(std::uint64_t index, const glm::dvec4& shift) {
+    constexpr double g = 1.16730397826141868426;
+    const double i = static_cast<double>(index), a = 1.0 / g;
+    return {fraction(shift.x + i * a), fraction(shift.y + i * (a * a)), fraction(shift.z + i * (a * a * a)),
+            fraction(shift.w + i * (a * a * a * a))};
 }
 
 }  // namespace pencil

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "transport/candidate_source.h"
 #include "transport/light_surfels.h"
 #include "transport/rasterize_octahedral.h"
 
@@ -15,7 +16,8 @@ constexpr int largest_light_map = 256;
 
 Bvh hierarchy(RenderContext& context) {
     Bvh bvh;
-    if (context.kernels.features().bvh) context.clock.run("hierarchy", [&] { bvh = build_bvh(context.flat.triangles); });
+    const bool rays = context.options.method == Method::line && follows_rays(context.options.placement);
+    if (rays || context.kernels.features().bvh) context.clock.run("hierarchy", [&] { bvh = build_bvh(context.flat.triangles); });
     return bvh;
 }
 

@@ -108,8 +108,8 @@ CentreSpace FreeSpace::space() const {
     return {flat_.low, flat_.high, share * size.x * size.y * size.z};
 }
 
-std::shared_ptr<GeometryMaps> FreeSpace::create(Kernels& kernels, Sequence sequence, int count, int set, std::uint64_t seed) {
-    auto batch = rasterized(kernels, scene_, place_pencils(flat_, sequence, 0, count, set, seed), map_size_);
+std::shared_ptr<GeometryMaps> FreeSpace::create(Kernels& kernels, CandidateSource& source, int count, int set, const PowerSeen& power) {
+    auto batch = rasterized(kernels, scene_, source.place({set, 0, count, power}), map_size_);
     std::vector<bool> keep = accepted(kernels, *batch);
     if (std::find(keep.begin(), keep.end(), false) == keep.end()) return batch;
 
@@ -120,8 +120,7 @@ std::shared_ptr<GeometryMaps> FreeSpace::create(Kernels& kernels, Sequence seque
             if (keep[static_cast<std::size_t>(tile)]) maps->copy_tile(*batch, tile, filled++);
         if (filled == count) return maps;
         if (round == most_rounds) break;
-        batch = rasterized(kernels, scene_,
-                           place_pencils(flat_, sequence, tried, next_batch(count - filled, filled, tried, count), set, seed), map_size_);
+        batch = rasterized(kernels, scene_, source.place({set, tried, next_batch(count - filled, filled, tried, count), power}), map_size_);
         tried += batch->count;
         keep = accepted(kernels, *batch);
     }

@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-#include "pencils/place_pencils.h"
+#include "transport/candidate_source.h"
 #include "transport/device_scene.h"
 #include "transport/features.h"
 #include "transport/pencil_set.h"
@@ -34,8 +34,8 @@ public:
               int map_size);
 
     /// Geometry maps of `count` centres of set number `set`, rasterised and folded; rejected centres are replaced by the next of the
-    /// sequence. If most_rounds rounds do not find all, the set is smaller; if they find none, the last round's centres are taken.
-    std::shared_ptr<GeometryMaps> create(Kernels& kernels, Sequence sequence, int count, int set, std::uint64_t seed);
+    /// source. If most_rounds rounds do not find all, the set is smaller; if they find none, the last round's centres are taken.
+    std::shared_ptr<GeometryMaps> create(Kernels& kernels, CandidateSource& source, int count, int set, const PowerSeen& power = {});
 
     /// Shapes found to be rooms.
     const std::set<int>& rooms() const { return rooms_; }

@@ -20,6 +20,8 @@ const std::vector<KernelGroup>& groups() {
           "projection", "weights"},
          {"find_enclosing", "find_sides", "gather_surfels", "test_visibility", "estimate_density", "free_path_density", "project_pencils",
           "store_radiance", "smooth_radiance", "sum_radiance"}},
+        // Rays that find places for pencils.
+        {{"packet", "triangle", "surfel", "bvh"}, {"trace_probing_rays"}},
         // Surface pencils.
         {{"packet", "hash", "triangle", "surfel", "bvh", "hemisphere", "surface_pencil", "pencil_grid", "film_lattice"},
          {"place_surface_pencils", "trace_hemispheres", "measure_hemispheres", "emit_hemispheres", "sum_hemispheres",

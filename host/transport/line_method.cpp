@@ -41,8 +41,14 @@ private:
             free_space = std::make_unique<FreeSpace>(context_.kernels, context_.device_scene, context_.flat, frame_.film().surfels(),
                                                      lights.maps.count > 0 ? &lights.maps : nullptr, context_.options.map);
         });
-        PencilSolver solver(context_.kernels, context_.device_scene, *free_space, lights, context_.options, clock);
-        PencilSet set = solver.create(0);
+        std::unique_ptr<CandidateSource> candidates;
+        clock.run("pencil maps", [&] {
+            candidates =
+                make_candidate_source({context_.kernels, context_.device_scene, context_.scene, context_.flat, context_.options.seed},
+                                      context_.options.placement);
+        });
+        PencilSolver solver(context_.kernels, context_.device_scene, *free_space, *candidates, lights, context_.options, clock);
+        PencilSet set = solver.create(0, nullptr, context_.maps_emit, !context_.maps_emit);
         solver.fill(set, nullptr, context_.maps_emit, !context_.maps_emit, true);
         for (int index = 0;; ++index, ++order) {
             series_.add(sum_radiance(context_.kernels, set));
@@ -57,13 +63,13 @@ private:
             // Emitters of the other form join the maps after one bounce: from there on both carry order 1.
             set = next_set(solver, set, index + 1, order == 0 && lights.maps.count > 0);
         }
-        explain_placement(*free_space);
+        explain_placement(*free_space, *candidates);
     }
 
     /// The set that carries the next bounce order: new pencils, or the same ones with new radiance.
     PencilSet next_set(PencilSolver& solver, const PencilSet& set, int index, bool direct) {
         const bool fixed = context_.options.iterate == Iterate::fixed;
-        PencilSet next = fixed ? PencilSet(context_.kernels.device(), set.maps) : solver.create(index);
+        PencilSet next = fixed ? PencilSet(context_.kernels.device(), set.maps) : solver.create(index, &set, false, direct);
         if (fixed && weights_in_maps(context_.options.weights))
             next.radiance.copy_from(set.radiance, 0, 0, set.radiance.size());  // the quadrature weights stay, the radiance is overwritten
         solver.fill(next, &set, false, direct, !fixed);
@@ -96,12 +102,13 @@ private:
                                      " film surfels are seen by no pencil and get no indirect light; use more --pencils");
     }
 
-    void explain_placement(const FreeSpace& free_space) {
+    void explain_placement(const FreeSpace& free_space, const CandidateSource& candidates) {
         std::string rooms;
         for (int shape : free_space.rooms())
             rooms += (rooms.empty() ? "" : ", ") + context_.scene.shapes[static_cast<std::size_t>(shape)].id;
-        context_.stats.explain.push_back("placement: rejected " + std::to_string(free_space.in_solids()) + " centres inside solids and " +
-                                         std::to_string(free_space.unreached()) + " that see no surface which film, lights or others see" +
+        context_.stats.explain.push_back("placement: " + candidates.describe() + "; rejected " + std::to_string(free_space.in_solids()) +
+                                         " centres inside solids and " + std::to_string(free_space.unreached()) +
+                                         " that see no surface which film, lights or others see" +
                                          (rooms.empty() ? std::string() : "; rooms, because the camera or a light is inside: " + rooms));
     }
 

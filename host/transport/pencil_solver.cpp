@@ -10,6 +10,7 @@
 #include "transport/light_surfels.h"
 #include "transport/project_pencils.h"
 #include "transport/store_radiance.h"
+#include "transport/sum_radiance.h"
 #include "transport/test_visibility.h"
 
 namespace pencil {
@@ -32,22 +33,54 @@ int chunk_tiles(int n, int pencils) {
 
 }  // namespace
 
-PencilSolver::PencilSolver(Kernels& kernels, const DeviceScene& scene, FreeSpace& free_space, const LightSet& lights,
-                           const RenderOptions& options, StageClock& clock)
-    : kernels_(kernels), scene_(scene), free_space_(free_space), lights_(lights), options_(options), clock_(clock), tables_(kernels) {}
+PencilSolver::PencilSolver(Kernels& kernels, const DeviceScene& scene, FreeSpace& free_space, CandidateSource& candidates,
+                           const LightSet& lights, const RenderOptions& options, StageClock& clock)
+    : kernels_(kernels),
+      scene_(scene),
+      free_space_(free_space),
+      candidates_(candidates),
+      lights_(lights),
+      options_(options),
+      clock_(clock),
+      tables_(kernels) {}
 
 int PencilSolver::set_size(int index) const {
     const double size = options_.pencils * std::pow(options_.decay, index);
     return std::max(static_cast<int>(std::lround(size)), std::min(options_.pencils, smallest_set));
 }
 
-PencilSet PencilSolver::create(int index) {
+PencilSet PencilSolver::create(int index, const PencilSet* source, bool emission, bool direct) {
     PencilSet set;
+    const PowerSeen power = [&](std::shared_ptr<GeometryMaps> maps) { return power_seen(std::move(maps), source, emission, direct); };
     times_.maps += clock_.run("pencil maps", [&] {
-        const Sequence sequence = options_.placement == Placement::random ? Sequence::random : Sequence::low_discrepancy;
-        set = PencilSet(kernels_.device(), free_space_.create(kernels_, sequence, set_size(index), index, options_.seed));
+        set = PencilSet(kernels_.device(), free_space_.create(kernels_, candidates_, set_size(index), index, power));
     });
     return set;
+}
+
+/// Mean radiance of maps that are not kept.
+std::vector<float4> PencilSolver::power_seen(std::shared_ptr<GeometryMaps> maps, const PencilSet* source, bool emission, bool direct) {
+    PencilSet probes(kernels_.device(), std::move(maps));
+    const int n = probes.maps->n, tiles = std::min(chunk_surfels / (n * n), probes.maps->count);
+    Surfels surfels(kernels_.device(), tiles * n * n, "surfels of probes");
+    Buffer<float> outgoing = surfel_rgb(kernels_.device(), surfels.capacity, "radiance of probes");
+    Buffer<int> visible(kernels_.device(), static_cast<std::size_t>(surfels.capacity), "visible pencils");
+    for (int first = 0; first < probes.maps->count; first += tiles) {
+        const int count = std::min(tiles, probes.maps->count - first);
+        send(*probes.maps, first, count, source, emission, direct, surfels, outgoing, visible);
+        store_radiance(kernels_, surfels, outgoing, first, count, probes);
+    }
+    return mean_radiance(kernels_, probes);
+}
+
+/// What texels of tiles first .. first + count send to their centres.
+void PencilSolver::send(const GeometryMaps& maps, int first, int count, const PencilSet* source, bool emission, bool direct,
+                        Surfels& surfels, Buffer<float>& outgoing, Buffer<int>& visible) {
+    gather_surfels(kernels_, scene_, maps, first, count, surfels);
+    outgoing.fill_zero();
+    if (emission) emit_surfels(kernels_, scene_, surfels, true, outgoing);
+    if (direct) light_surfels(kernels_, scene_, surfels, lights_, outgoing, "direct light to pencils");
+    if (source) project_pencils(kernels_, scene_, surfels, *source, tables_, outgoing, visible, "pencil transport");
 }
 
 void PencilSolver::fill(PencilSet& target, const PencilSet* source, bool emission, bool direct, bool weights) {
@@ -65,11 +98,7 @@ void PencilSolver::fill(PencilSet& target, const PencilSet* source, bool emissio
     for (int first = 0; first < target.maps->count; first += tiles) {
         const int count = std::min(tiles, target.maps->count - first);
         times_.transport += clock_.run(source ? "pencil transport" : "initial gather", [&] {
-            gather_surfels(kernels_, scene_, *target.maps, first, count, surfels);
-            outgoing.fill_zero();
-            if (emission) emit_surfels(kernels_, scene_, surfels, true, outgoing);
-            if (direct) light_surfels(kernels_, scene_, surfels, lights_, outgoing, "direct light to pencils");
-            if (source) project_pencils(kernels_, scene_, surfels, *source, tables_, outgoing, visible, "pencil transport");
+            send(*target.maps, first, count, source, emission, direct, surfels, outgoing, visible);
             if (!density) store_radiance(kernels_, surfels, outgoing, first, count, target);
         });
         if (!density) continue;

@@ -1,6 +1,7 @@
 // One pencil set after the other: creation, initial gather, transport. Knows kernels and sets, not the film.
 #pragma once
 
+#include "transport/candidate_source.h"
 #include "transport/device_scene.h"
 #include "transport/features.h"
 #include "transport/free_space.h"
@@ -19,12 +20,13 @@ struct SetTimes {
 
 class PencilSolver {
 public:
-    PencilSolver(Kernels& kernels, const DeviceScene& scene, FreeSpace& free_space, const LightSet& lights, const RenderOptions& options,
-                 StageClock& clock);
+    PencilSolver(Kernels& kernels, const DeviceScene& scene, FreeSpace& free_space, CandidateSource& candidates, const LightSet& lights,
+                 const RenderOptions& options, StageClock& clock);
 
-    /// Set number `index` of the series: its size by --decay, its centres, geometry maps.
+    /// Set number `index` of the series: its size by --decay, its centres, geometry maps. The other arguments are those of fill(): the
+    /// light that the set is to carry, on which its centres may depend.
     int set_size(int index) const;
-    PencilSet create(int index);
+    PencilSet create(int index, const PencilSet* source, bool emission, bool direct);
 
     /// What the texels of `target` send to their centres, which becomes its radiance: emission that the maps carry (`emission`), reflected
     /// direct light (`direct`), and the radiance of `source` after one more bounce (if not null; thesis alg. 6.3). With `weights` the
@@ -36,9 +38,14 @@ public:
     void reset_times() { times_ = {}; }
 
 private:
+    std::vector<float4> power_seen(std::shared_ptr<GeometryMaps> maps, const PencilSet* source, bool emission, bool direct);
+    void send(const GeometryMaps& maps, int first, int count, const PencilSet* source, bool emission, bool direct, Surfels& surfels,
+              Buffer<float>& outgoing, Buffer<int>& visible);
+
     Kernels& kernels_;
     const DeviceScene& scene_;
     FreeSpace& free_space_;
+    CandidateSource& candidates_;
     const LightSet& lights_;
     const RenderOptions& options_;
     StageClock& clock_;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "pencils/low_discrepancy.h"
+#include "transport/candidate_source.h"
 #include "transport/explain.h"
 #include "transport/layer_mean.h"
 #include "transport/line_method.h"
@@ -43,6 +44,9 @@ private:
             throw UsageError("film samples must be 1 to 64, not " + std::to_string(options.film_samples));
         if (options.pencils < 1 || options.decay <= 0 || options.decay > 1)
             throw UsageError("at least one pencil and a decay in (0, 1] are needed");
+        if (options.weights == Weights::analytic && !fills_box_evenly(options.placement))
+            throw UsageError(
+                "--weights analytic holds for centres spread evenly, --placement random or lds; take --weights dpdf or voronoi");
     }
 
     void check_memory() const {

@@ -16,7 +16,7 @@ namespace pencil {
 
 enum class Method { line, surface };
 enum class Initial { direct, emission, automatic };
-enum class Placement { random, lds };
+enum class Placement { random, lds, near_surface, light_rays, camera_rays, profile };
 enum class Weights { dpdf, voronoi, analytic, thesis };
 enum class Iterate { sets, fixed };
 
@@ -28,7 +28,7 @@ struct RenderOptions {
     int map = 64;        // octahedral tile size, a multiple of 8 [texels]
     int light_samples = 64;
     Initial initial = Initial::automatic;
-    Placement placement = Placement::lds;
+    std::vector<Placement> placement{Placement::lds};  // a mixture: in turn
     Weights weights = Weights::dpdf;
     Iterate iterate = Iterate::sets;
     double seconds = 0;          // surface: passes until then, 0: until target_error

@@ -63,10 +63,11 @@ inline void packet_trace(RayPacket *r, float4 origin, int own, global const BvhN
     stack[depth++] = 0;
     while (depth > 0) {
         global const BvhNode *node = nodes + stack[--depth];
-        vfloat entry[2];
+        vfloat entry[2] = {(vfloat)(0.0f), (vfloat)(0.0f)};
         bool meets[2];
         for (int k = 0; k < 2; ++k) {
-            meets[k] = PACKET_ANY(packet_meets_box(r, node->low[k] - origin, node->high[k] - origin, entry + k));
+            bool empty = node->child[k] == 0 && node->count[k] == 0;  // the root is no child
+            meets[k] = !empty && PACKET_ANY(packet_meets_box(r, node->low[k] - origin, node->high[k] - origin, entry + k));
             if (!meets[k] || node->count[k] == 0) continue;
             for (int i = node->child[k]; i < node->child[k] + node->count[k]; ++i) {
                 int triangle = leaves[i];

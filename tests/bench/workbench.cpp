@@ -40,10 +40,11 @@ Workbench::Workbench()
     const RenderOptions settings = options();
     StageClock clock(device(), {});
     FreeSpace free_space(kernels, on_device, flat, film.surfels(), &lights.maps, settings.map);
-    PencilSolver solver(kernels, on_device, free_space, lights, settings, clock);
-    set = solver.create(0);
+    const auto candidates = make_candidate_source({kernels, on_device, scene, flat, settings.seed}, {Placement::lds});
+    PencilSolver solver(kernels, on_device, free_space, *candidates, lights, settings, clock);
+    set = solver.create(0, nullptr, false, true);
     solver.fill(set, nullptr, false, true, true);
-    next_maps = free_space.create(kernels, Sequence::low_discrepancy, sizes().tiles, 1, 0);
+    next_maps = free_space.create(kernels, *candidates, sizes().tiles, 1);
     texel_surfels = Surfels(device(), sizes().tiles * settings.map * settings.map, "surfels of pencil maps");
     gather_surfels(kernels, on_device, *next_maps, 0, sizes().tiles, texel_surfels);
 }

@@ -47,12 +47,14 @@ INSTANTIATE_TEST_SUITE_P(
                     option("--bounces", "-2", "0 to 1000"), option("--bounces", "all", "0 to 1000"), option("--map", "4", "8 to 1024"),
                     option("--map", "33", "not a multiple of 8"), option("--light-samples", "0", "1 to 1048576"),
                     option("--film-samples", "0", "1 to 64"), option("--initial", "none", "direct, emission, auto"),
-                    option("--placement", "grid", "random, lds"), option("--weights", "equal", "dpdf, voronoi, analytic, thesis"),
-                    option("--iterate", "once", "sets, fixed"), option("--resolution", "0x0", "WIDTHxHEIGHT"),
-                    option("--resolution", "64", "WIDTHxHEIGHT"), option("--resolution", "64x", "WIDTHxHEIGHT"),
-                    option("--resolution", "64x-3", "WIDTHxHEIGHT"), option("--resolution", "1000001x1", "1 to 1000000"),
-                    option("--seed", "-1", "18446744073709551615"), option("--aov", "colour", "emission, direct"),
-                    option("--aov", "", "emission, direct"), option("-D", "depth", "name=value"), option("-D", "=3", "name=value")));
+                    option("--placement", "grid", "random, lds"), option("--placement", "lds+", "random, lds"),
+                    option("--placement", "lds+profile+lds", "names lds twice"),
+                    option("--weights", "equal", "dpdf, voronoi, analytic, thesis"), option("--iterate", "once", "sets, fixed"),
+                    option("--resolution", "0x0", "WIDTHxHEIGHT"), option("--resolution", "64", "WIDTHxHEIGHT"),
+                    option("--resolution", "64x", "WIDTHxHEIGHT"), option("--resolution", "64x-3", "WIDTHxHEIGHT"),
+                    option("--resolution", "1000001x1", "1 to 1000000"), option("--seed", "-1", "18446744073709551615"),
+                    option("--aov", "colour", "emission, direct"), option("--aov", "", "emission, direct"),
+                    option("-D", "depth", "name=value"), option("-D", "=3", "name=value")));
 
 TEST(Usage, AnOptionGivenTwiceIsRefused) {
     const RunResult result = run_pencil({"render", "a.xml", "-o", "a.exr", "--pencils", "4", "--pencils", "5"});

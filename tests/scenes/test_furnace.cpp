@@ -33,7 +33,7 @@ protected:
         RenderOptions out = emission_options();
         out.iterate = GetParam().iterate;
         out.weights = GetParam().weights;
-        out.placement = GetParam().placement;
+        out.placement = {GetParam().placement};
         return out;
     }
 };

@@ -116,7 +116,7 @@ TEST(Invariance, TwoRendersAreBitwiseEqual) {
 
 TEST(Invariance, SeedsDiffer) {
     RenderOptions other = options();
-    other.placement = Placement::random;
+    other.placement = {Placement::random};
     const RenderResult a = render_layers(room(), other);
     other.seed = 1;
     EXPECT_NE(layer(a, "").pixels, layer(render_layers(room(), other), "").pixels);

@@ -3,49 +3,20 @@
 //   test_scenes --gtest_also_run_disabled_tests --gtest_filter='*LitWall*Table*'   prints the table of docs/accuracy.md.
 #include <cstdio>
 
-#include "scenes/known_scenes.h"
-#include "scenes/scene_builder.h"
+#include "scenes/lit_wall.h"
 
 namespace {
 
 using namespace pencil;
 using namespace pencil::test;
 
-struct Place {
-    const char* name;
-    double x, z;
-};
-constexpr std::array<Place, 5> places{
-    {{"0.5", 0.5, 0.5}, {"0.2", 0.2, 0.5}, {"0.05", 0.05, 0.5}, {"0.01", 0.01, 0.5}, {"corner", 0.02, 0.02}}};
-
-/// Ratio of the rendered to the exact irradiance at the pixels nearest to the places.
 std::array<double, 5> ratios(Weights weights, int pencils, int map, std::uint64_t seed) {
     RenderOptions options;
-    options.initial = Initial::emission;
-    options.bounces = 1;
     options.weights = weights;
     options.pencils = pencils;
     options.seed = seed;
     options.map = map;
-    options.film_samples = 1;
-    const RenderResult result = render_layers(lit_wall_box(), options, {"direct", "position"});
-    const Layer &direct = layer(result, "direct"), &position = layer(result, "position");
-    std::array<double, 5> out{};
-    for (std::size_t p = 0; p < places.size(); ++p) {
-        std::size_t best = 0;
-        double nearest = 1e9;
-        for (std::size_t i = 0; i < pixel_count(position); ++i) {
-            const double d = glm::distance(pixel(position, i), dvec3(places[p].x, 0.0, places[p].z));
-            if (d < nearest) {
-                nearest = d;
-                best = i;
-            }
-        }
-        EXPECT_LT(nearest, 0.006) << "no pixel at " << places[p].name;
-        const dvec3 at = pixel(position, best);
-        out[p] = pixel(direct, best).x * ref::pi / ref::lit_wall_irradiance(at.x, at.z);  // albedo 1: E = pi L
-    }
-    return out;
+    return lit_wall_ratios(options);
 }
 
 /// Mean and spread over seeds.

@@ -55,8 +55,9 @@ void LitPencils::make_pencils(const std::shared_ptr<Device>& device, const LookU
     LightSet lights(device, sample_lights(scene_, flat_, forms_, settings.light_samples, 0), settings.map);
     rasterize_octahedral(kernels_, device_scene_, lights.maps, 0, lights.maps.count);
     FreeSpace free_space(kernels_, device_scene_, flat_, surfels(), &lights.maps, settings.map);
-    PencilSolver solver(kernels_, device_scene_, free_space, lights, settings, clock);
-    set_ = solver.create(0);
+    const auto candidates = make_candidate_source({kernels_, device_scene_, scene_, flat_, settings.seed}, {Placement::lds});
+    PencilSolver solver(kernels_, device_scene_, free_space, *candidates, lights, settings, clock);
+    set_ = solver.create(0, nullptr, false, true);
     solver.fill(set_, nullptr, false, true, false);
     radiance_ = set_.radiance.read();
     hits_ = set_.maps->hits.read();
