@@ -10,8 +10,8 @@ namespace pencil {
 Features detect_features(const FlatScene& scene, const RenderOptions& options) {
     Features features;
     features.smooth = !scene.normals.empty();
-    features.weights = options.weights;
-    features.cell_grid = options.weights == Weights::voronoi ? largest_cell_grid(options.pencils) : 0;
+    if (options.method == Method::line) features.weights = options.weights;
+    features.cell_grid = features.weights == Weights::voronoi ? largest_cell_grid(options.pencils) : 0;
     features.bvh = options.method == Method::surface;
     features.film_samples = options.film_samples;
     return features;

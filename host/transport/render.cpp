@@ -125,6 +125,10 @@ private:
             return seconds() + pace * surface_pass(index + 1, options, context_.flat.camera, emitters()).work > options.seconds;
         }
         if (mean.count() >= 2) context_.clock.set_fraction(std::min(options.target_error / error, 1.0));
+        if (mean.count() >= 2 && !std::isfinite(error)) {
+            context_.stats.warnings.push_back("the image holds values that are not finite: stopped, the error is not known");
+            return true;
+        }
         return error <= options.target_error || index + 1 >= most_passes;
     }
 
