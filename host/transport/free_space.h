@@ -33,7 +33,7 @@ public:
     FreeSpace(Kernels& kernels, const DeviceScene& scene, const FlatScene& flat, const Surfels& film, const GeometryMaps* lights,
               int map_size);
 
-    /// Geometry maps of `count` centres of set number `set`, rasterised and folded; rejected centres are replaced by the next of the
+    /// Geometry maps of `count` centres of set number `set`, made and folded; rejected centres are replaced by the next of the
     /// sequence. If most_rounds rounds do not find all, the set is smaller; if they find none, the last round's centres are taken.
     std::shared_ptr<GeometryMaps> create(Kernels& kernels, Sequence sequence, int count, int set, std::uint64_t seed);
 

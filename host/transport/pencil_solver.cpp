@@ -8,6 +8,7 @@
 #include "transport/free_path_density.h"
 #include "transport/gather_surfels.h"
 #include "transport/light_surfels.h"
+#include "transport/planned_maps.h"
 #include "transport/project_pencils.h"
 #include "transport/store_radiance.h"
 #include "transport/test_visibility.h"
@@ -16,8 +17,6 @@ namespace pencil {
 
 namespace {
 
-/// Sets do not shrink below this: bounces late in the series are smooth, but not constant.
-constexpr int smallest_set = 16;
 /// Surfels of maps that are worked on at once: bounds memory and the length of a launch.
 constexpr int chunk_surfels = 1 << 20;
 /// Masks of one chunk take at most this much [bytes].
@@ -36,16 +35,11 @@ PencilSolver::PencilSolver(Kernels& kernels, const DeviceScene& scene, FreeSpace
                            const RenderOptions& options, StageClock& clock)
     : kernels_(kernels), scene_(scene), free_space_(free_space), lights_(lights), options_(options), clock_(clock), tables_(kernels) {}
 
-int PencilSolver::set_size(int index) const {
-    const double size = options_.pencils * std::pow(options_.decay, index);
-    return std::max(static_cast<int>(std::lround(size)), std::min(options_.pencils, smallest_set));
-}
-
 PencilSet PencilSolver::create(int index) {
     PencilSet set;
     times_.maps += clock_.run("pencil maps", [&] {
         const Sequence sequence = options_.placement == Placement::random ? Sequence::random : Sequence::low_discrepancy;
-        set = PencilSet(kernels_.device(), free_space_.create(kernels_, sequence, set_size(index), index, options_.seed));
+        set = PencilSet(kernels_.device(), free_space_.create(kernels_, sequence, set_size(options_, index), index, options_.seed));
     });
     return set;
 }

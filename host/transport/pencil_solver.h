@@ -22,8 +22,7 @@ public:
     PencilSolver(Kernels& kernels, const DeviceScene& scene, FreeSpace& free_space, const LightSet& lights, const RenderOptions& options,
                  StageClock& clock);
 
-    /// Set number `index` of the series: its size by --decay, its centres, geometry maps.
-    int set_size(int index) const;
+    /// Set number `index` of the series: its centres and geometry maps.
     PencilSet create(int index);
 
     /// What the texels of `target` send to their centres, which becomes its radiance: emission that the maps carry (`emission`), reflected
