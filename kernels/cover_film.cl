@@ -3,7 +3,8 @@
 
 /// launch : 1-D, one work-item per pixel
 /// in     : surfels of the film with their numbering; pencil_at[pixel]: film pencil of a pixel, -1: none; coarsest: largest spacing
-/// out    : uncovered[capacity]: 1 if the least reuse_error of the lattice points about the surfel's pixel exceeds `most_error`, else 0
+/// in/out : uncovered[capacity]: 1 on entry for surfels in question; 1 if the least reuse_error of the lattice points about the surfel's
+/// pixel exceeds `most_error`, else 0
 kernel void cover_film(global const float *surfels, int capacity, global const uchar *counts, global const int *first_surfel,
                        global const SurfacePencil *pencils, global const int *pencil_at, int coarsest, int finest, float most_error,
                        int width, int height, global uchar *uncovered) {
@@ -11,6 +12,7 @@ kernel void cover_film(global const float *surfels, int capacity, global const u
     if (pixel >= width * height) return;
     int2 at = (int2)(pixel % width, pixel / width);
     for (int i = first_surfel[pixel]; i < first_surfel[pixel] + (counts[pixel] & FILM_COUNT_MASK); ++i) {
+        if (!uncovered[i]) continue;
         SurfacePoint point = surface_point(surfels, capacity, i);
         float least = INFINITY;
         for (int spacing = coarsest; spacing >= finest && least > most_error; spacing /= 2)

@@ -14,6 +14,8 @@ namespace pencil {
 namespace {
 
 const std::vector<std::string> methods{"line", "surface"};
+/// What only line projection knows.
+const std::vector<std::string> line_options{"--decay", "--map", "--placement", "--weights", "--iterate"};
 const std::vector<std::string> initials{"direct", "emission", "auto"};
 const std::vector<std::string> placements{"random", "lds"};
 const std::vector<std::string> weightings{"dpdf", "voronoi", "analytic", "thesis"};
@@ -95,13 +97,15 @@ void add_device(CLI::App& app, std::string& device) {
 void add_solver_options(CLI::App& app, RenderCommand& command) {
     RenderOptions& options = command.options;
     const int many = 1 << 20;
-    add_choice(app, "--method", options.method, methods, "Line projection (the thesis' method) or pencils on surfaces");
+    options.method = Method::surface;
+    add_choice(app, "--method", options.method, methods,
+               "Pencils on surfaces or line projection, the thesis' method; line if an option of it is given");
     add(app, "--time", "Surface method: seconds to render for, instead of --target-error (above 0)", "S", "",
         [&options](const std::string& text) { options.seconds = parse_real(text, 0, false, 1e6); });
     add(app, "--target-error", "Surface method: stop at this estimated relMSE (above 0)", "E", format_real(options.target_error),
         [&options](const std::string& text) { options.target_error = parse_real(text, 0, false, 1e6); });
     add(app, "--pencils", "Pencils of the first set; surface method: of the world set of the first pass [1 to 1048576]", "N",
-        std::to_string(default_pencils(Method::line)) + ", surface: " + std::to_string(default_pencils(Method::surface)),
+        std::to_string(default_pencils(Method::surface)) + ", line: " + std::to_string(default_pencils(Method::line)),
         [&command](const std::string& text) { command.pencils = static_cast<int>(parse_integer(text, 1, 1 << 20)); });
     add(app, "--decay", "Size of each further set relative to the last (above 0, at most 1)", "X", format_real(options.decay),
         [&options](const std::string& text) { options.decay = parse_real(text, 0, false, 1); });
@@ -122,6 +126,10 @@ void add_solver_options(CLI::App& app, RenderCommand& command) {
     add(app, "--tolerance", "Stop when a bounce adds less than this share (above 0, at most 1)", "X", format_real(options.tolerance),
         [&options](const std::string& text) { options.tolerance = parse_real(text, 0, false, 1); });
     add_seed(app, options.seed);
+    app.parse_complete_callback([&app, &options] {
+        const auto given = [&app](const std::string& name) { return app.count(name) > 0; };
+        if (!given("--method") && std::any_of(line_options.begin(), line_options.end(), given)) options.method = Method::line;
+    });
 }
 
 void add_film_options(CLI::App& app, RenderCommand& command) {

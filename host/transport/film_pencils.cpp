@@ -10,6 +10,9 @@ namespace {
 
 /// Width of the maps of single pencils: there are many of them where much is small, and no other pencil needs what they know.
 constexpr int single_map = 4;
+/// A level of the lattice that would have more points than this share of the pixels is left to single pencils: where so little reaches so
+/// little, neighbours do not help each other.
+constexpr double most_new = 0.5;
 
 }  // namespace
 
@@ -17,6 +20,7 @@ FilmPencils::FilmPencils(Kernels& kernels, const Film& film, const FilmLattice& 
     : kernels_(kernels),
       film_(film),
       lattice_(lattice),
+      finest_(lattice.finest),
       counts_(film.counts().read()),
       first_(film.first_surfel().read()),
       at_(counts_.size(), -1),
@@ -52,14 +56,16 @@ void FilmPencils::place(const std::vector<int>& pixels, int spacing) {
 }
 
 /// Surfels that the lattice down to `spacing` leaves uncovered.
-std::vector<unsigned char> FilmPencils::uncovered(int spacing) const {
+std::vector<unsigned char> FilmPencils::uncovered(int spacing) {
     const Surfels& surfels = film_.surfels();
-    Buffer<unsigned char> uncovered(kernels_.device(), static_cast<std::size_t>(surfels.capacity), "uncovered surfels");
+    if (uncovered_.empty())
+        uncovered_ = Buffer<unsigned char>(kernels_.device(), std::vector<unsigned char>(static_cast<std::size_t>(surfels.capacity), 1),
+                                           "uncovered surfels");
     kernels_.get("cover_film")
         .args(surfels.data, surfels.capacity, film_.counts(), film_.first_surfel(), pencils_.data, pencil_at_, lattice_.coarsest, spacing,
-              lattice_.most_error, film_.width(), film_.height(), uncovered)
+              lattice_.most_error, film_.width(), film_.height(), uncovered_)
         .run(counts_.size(), "cover film");
-    return uncovered.read(0, static_cast<std::size_t>(surfels.count));
+    return uncovered_.read(0, static_cast<std::size_t>(surfels.count));
 }
 
 /// Lattice points at half the spacing of all cells that hold uncovered surfels.
@@ -90,10 +96,15 @@ void FilmPencils::refine(SurfaceSolver& solver) {
     };
     gather();
     for (int spacing = lattice_.coarsest; spacing > lattice_.finest && !solver.stopped(); spacing /= 2) {
-        place(finer_pixels(uncovered(spacing), spacing), spacing / 2);
+        const std::vector<int> pixels = finer_pixels(uncovered(spacing), spacing);
+        if (static_cast<double>(pixels.size()) > most_new * static_cast<double>(counts_.size())) {
+            finest_ = spacing;
+            break;
+        }
+        place(pixels, spacing / 2);
         gather();
     }
-    place_singles(uncovered(lattice_.finest));
+    place_singles(uncovered(finest_));
     solver.gather(singles_, 0, singles_.count);
 }
 
@@ -117,7 +128,7 @@ void FilmPencils::project(Buffer<float>& outgoing) {
         .run(counts_.size(), "smooth irradiance");
     kernels_.get("project_film_pencils")
         .args(surfels.data, surfels.capacity, film_.counts(), film_.first_surfel(), pencils_.data, fits, pencil_at_, lattice_.coarsest,
-              lattice_.finest, 2.0F * lattice_.most_error, singles_.data, single_at_, film_.width(), film_.height(), outgoing)
+              finest_, 2.0F * lattice_.most_error, singles_.data, single_at_, film_.width(), film_.height(), outgoing)
         .run(counts_.size(), "project film pencils");
 }
 

@@ -30,20 +30,22 @@ public:
 
 private:
     void place(const std::vector<int>& pixels, int spacing);
-    std::vector<unsigned char> uncovered(int spacing) const;
+    std::vector<unsigned char> uncovered(int spacing);
     std::vector<int> finer_pixels(const std::vector<unsigned char>& uncovered, int spacing) const;
     void place_singles(const std::vector<unsigned char>& uncovered);
 
     Kernels& kernels_;
     const Film& film_;
     FilmLattice lattice_;
+    int finest_;  // spacing that refine() went down to
     std::vector<unsigned char> counts_;
     std::vector<int> first_;
     std::vector<int> at_;
     Buffer<int> pencil_at_;
     SurfacePencils pencils_;
-    SurfacePencils singles_;  // of surfels that the finest lattice leaves uncovered
-    Buffer<int> single_at_;   // by surfel, -1: none
+    Buffer<unsigned char> uncovered_;  // by surfel
+    SurfacePencils singles_;           // of surfels that the finest lattice leaves uncovered
+    Buffer<int> single_at_;            // by surfel, -1: none
     int gathered_ = 0;
 };
 

@@ -32,7 +32,7 @@ void LayerMean::add(std::vector<Layer> layers, double weight) {
         square_[i] += weight * weight * value * value;
     }
     const double share = weight / weight_;
-    for (std::size_t l = 0; l < mean_.size(); ++l)
+    for (std::size_t l = 0; l < layers.size(); ++l)
         for (std::size_t i = 0; i < mean_[l].pixels.size(); ++i)
             mean_[l].pixels[i] +=
                 static_cast<float>(share * (static_cast<double>(layers[l].pixels[i]) - static_cast<double>(mean_[l].pixels[i])));

@@ -9,7 +9,8 @@ namespace pencil {
 
 class LayerMean {
 public:
-    /// Adds an image with its weight in the mean. All images have the same layers.
+    /// Adds an image with its weight in the mean. Later images have the layers of the first, or the first of them: the others stay as they
+    /// are.
     void add(std::vector<Layer> layers, double weight);
 
     int count() const { return count_; }

@@ -1,5 +1,6 @@
 #include "transport/render.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "pencils/low_discrepancy.h"
@@ -80,14 +81,23 @@ private:
         return true;
     }
 
+    /// Layers of light: those of surfaces hardly gain from further passes.
+    static std::vector<std::string> light_layers(const std::vector<std::string>& aovs) {
+        std::vector<std::string> layers;
+        for (const char* name : {"emission", "direct", "bounces"})
+            if (std::find(aovs.begin(), aovs.end(), name) != aovs.end()) layers.push_back(name);
+        return layers;
+    }
+
     /// Independent images until time or error tell to stop; their mean is the result.
     RenderResult render_passes() {
         const std::uint64_t seed = hash64(context_.options.seed);
         LayerMean mean;
         double spent = seconds();
         for (int index = 0;; ++index) {
-            const SurfacePass pass = surface_pass(index, context_.options, emitters());
-            Frame frame(context_, aovs_, pass.light_samples, 0, seed + static_cast<std::uint64_t>(index));
+            const SurfacePass pass = surface_pass(index, context_.options, context_.flat.camera, emitters());
+            Frame frame(context_, index == 0 ? aovs_ : light_layers(aovs_), pass.light_samples, 0,
+                        seed + static_cast<std::uint64_t>(index));
             const bool lit = add_direct(frame);
             if (lit) add_surface_bounces(context_, pass, frame, seed + static_cast<std::uint64_t>(index));
             if (index > 0 && context_.clock.stopped()) break;  // half a pass is worth nothing beside whole ones
@@ -115,7 +125,7 @@ private:
         const double error = mean.relative_mean_square_error();
         if (options.seconds > 0) {
             context_.clock.set_fraction(std::min(seconds() / options.seconds, 1.0));
-            return seconds() + pace * surface_pass(index + 1, options, emitters()).work > options.seconds;
+            return seconds() + pace * surface_pass(index + 1, options, context_.flat.camera, emitters()).work > options.seconds;
         }
         if (mean.count() >= 2) context_.clock.set_fraction(std::min(options.target_error / error, 1.0));
         return error <= options.target_error || index + 1 >= most_passes;

@@ -9,12 +9,19 @@ namespace pencil {
 
 namespace {
 
-/// Spacing of the film pencils whose texels show where light is reflected [pixels].
-constexpr int seed_spacing = 16;
+/// Spacing of the film pencils whose texels show where light is reflected, in terms of the coarsest of the first pass.
+constexpr int seed_spacing = 4;
 /// Width of the maps of film pencils: more pencils with few texels reach further than few with many.
 constexpr int film_map = 8;
 /// Light samples that a packet of texels draws.
 constexpr int light_draws = 2;
+
+/// Spacing of the coarsest film pencils [pixels], a power of two: about so many across the film whatever its resolution.
+int coarsest_spacing(const Camera& film) {
+    int spacing = 4;
+    while (spacing < 32 && std::min(film.width, film.height) >= 128 * spacing) spacing *= 2;
+    return spacing;
+}
 
 int generation_of(int index) {
     int generation = 0;
@@ -24,18 +31,18 @@ int generation_of(int index) {
 
 }  // namespace
 
-SurfacePass surface_pass(int index, const RenderOptions& options, int emitters) {
+SurfacePass surface_pass(int index, const RenderOptions& options, const Camera& film, int emitters) {
     const int generation = generation_of(index);
     const auto grown = [&](double exponent) { return std::exp2(exponent * generation); };
     SurfacePass pass{};
     pass.weight = grown(0.8);
     pass.work = grown(0.5);
     pass.light_samples =
-        std::max(static_cast<int>(std::lround(0.5 * options.light_samples * std::clamp(0.5 * emitters, 1.0, 4.0) * grown(0.5))), 1);
+        std::max(static_cast<int>(std::lround(0.5 * options.light_samples * std::clamp(0.5 * emitters, 1.0, 4.0) * grown(0.25))), 1);
     pass.texel_light_samples = 16 * pass.light_samples;
     pass.world.pencils = static_cast<int>(std::lround(options.pencils * std::min(grown(0.75), 64.0)));
     pass.world.light_draws = light_draws;
-    pass.lattice.coarsest = std::max(4 >> generation / 4, 2);
+    pass.lattice.coarsest = std::max(coarsest_spacing(film) >> generation / 4, 2);
     pass.lattice.most_error = static_cast<float>(0.175 * grown(-0.35));
     pass.lattice.smooth = static_cast<float>(0.25 * grown(-0.25));
     pass.lattice.map = film_map;
@@ -51,7 +58,8 @@ void add_surface_bounces(RenderContext& context, const SurfacePass& pass, Frame&
                                Buffer<float>(device, near_areas(context.flat, frame.light_samples()), "near areas of emitters"),
                                Buffer<float>(device, near_areas(context.flat, samples), "near areas of emitters")};
     SurfaceSolver solver(context.kernels, context.device_scene, context.flat, lights, pass.world, context.clock, seed);
-    FilmPencils seeds(context.kernels, frame.film(), {seed_spacing, seed_spacing, 0.0F, film_map, 0.0F});
+    const int spacing = seed_spacing * coarsest_spacing(context.flat.camera);
+    FilmPencils seeds(context.kernels, frame.film(), {spacing, spacing, 0.0F, film_map, 0.0F});
     solver.solve(seeds.pencils(), context.options.bounces, context.options.tolerance);
     FilmPencils film(context.kernels, frame.film(), pass.lattice);
     context.clock.run("film pencils", [&] { film.refine(solver); });

@@ -21,7 +21,7 @@ struct SurfacePass {
 /// Pass `index`: each generation has twice the passes of the last, with smaller reuse errors, more pencils and more light samples;
 /// `emitters`: shapes that light samples are spread over. The exponents keep the error of interpolation below the noise of the mean as both
 /// fall (docs/accuracy.md).
-SurfacePass surface_pass(int index, const RenderOptions& options, int emitters);
+SurfacePass surface_pass(int index, const RenderOptions& options, const Camera& film, int emitters);
 
 /// Adds all reflections from order 2 on (from 1 where maps carry emitters) to the frame, as one layer "indirect".
 void add_surface_bounces(RenderContext& context, const SurfacePass& pass, Frame& frame, std::uint64_t seed);

@@ -62,8 +62,11 @@ TEST(Surface, SampledLightsBounceAsOften) {
     }
 }
 
-TEST(Surface, LitWallUpToTheCorner) {
-    RenderOptions options = surface_options(Initial::emission);
+class SurfaceLitWall : public testing::TestWithParam<Initial> {};
+
+/// `direct`: light samples and what the pencils see near the emitter add up to all of its light, down to the corner.
+TEST_P(SurfaceLitWall, UpToTheCorner) {
+    RenderOptions options = surface_options(GetParam());
     options.bounces = 1;
     options.target_error = 2e-4;
     const RenderResult result = render_layers(lit_wall_box(), options, {"position"});
@@ -84,6 +87,8 @@ TEST(Surface, LitWallUpToTheCorner) {
         EXPECT_NEAR(ratio, 1.0, 0.05) << x << " " << z;
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(Forms, SurfaceLitWall, testing::Values(Initial::emission, Initial::direct));
 
 TEST(Surface, NoLightThroughWalls) {
     for (const double thickness : {0.0, 0.01, 0.1}) {
