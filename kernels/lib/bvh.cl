@@ -67,7 +67,7 @@ inline void packet_trace(RayPacket *r, float4 origin, int own, float tolerance, 
         vfloat entry[2];
         bool meets[2];
         for (int k = 0; k < 2; ++k) {
-            meets[k] = PACKET_ANY(packet_meets_box(r, node->low[k] - origin, node->high[k] - origin, entry + k));
+            meets[k] = PACKET_ANY(packet_meets_box(r, node->low[k] - origin, node->high[k] - origin, entry + k)) && node->child[k] >= 0;
             if (!meets[k] || node->count[k] == 0) continue;
             for (int i = node->child[k]; i < node->child[k] + node->count[k]; ++i) {
                 int triangle = leaves[i];
