@@ -29,8 +29,8 @@ public:
     RenderResult run() {
         check_options();
         check_memory();
-        context_.stats.explain =
-            explain(context_.scene, context_.options, context_.forms, context_.kernels.features(), *context_.kernels.device());
+        context_.stats.explain = explain(context_.scene, context_.options, context_.forms, context_.kernels.features(), map_sentence(),
+                                         *context_.kernels.device());
         return context_.options.method == Method::line ? render_line() : render_passes();
     }
 
@@ -58,6 +58,13 @@ private:
             throw MemoryError("a film of " + std::to_string(camera.width) + "x" + std::to_string(camera.height) + " pixels needs about " +
                               std::to_string(static_cast<long long>(bytes / (1 << 20))) + " MiB of device memory, " +
                               std::to_string(static_cast<long long>(available / (1 << 20))) + " MiB exist; use a smaller --resolution");
+    }
+
+    /// How geometry maps are made, empty if none are.
+    std::string map_sentence() const {
+        if (context_.batches.empty()) return "";
+        const int units = static_cast<int>(context_.kernels.device()->info().compute_units);
+        return explain_paths(context_.device_scene.triangle_count, context_.batches, units, context_.prepared);
     }
 
     RenderResult render_line() {

@@ -92,8 +92,7 @@ inline int settle_by_rays(const SurfelPacket *s, const VisibilityMap *map, float
         rays.nearest = select((vfloat)(-1.0f), (vfloat)(1.0f), PACKET_FROM_BITS(open));
         for (int k = 0; k < 2; ++k) {
             vfloat entry;
-            if (node->child[k] == 0 && node->count[k] == 0) continue;  // empty: the root is no child
-            if (!PACKET_ANY(packet_meets_box(&rays, node->low[k] - cop, node->high[k] - cop, &entry))) continue;
+            if (node->child[k] < 0 || !PACKET_ANY(packet_meets_box(&rays, node->low[k] - cop, node->high[k] - cop, &entry))) continue;
             if (node->count[k] == 0) stack[depth++] = node->child[k];
             for (int i = node->child[k]; i < node->child[k] + node->count[k]; ++i) {
                 global const Triangle *triangle = map->triangles + map->leaves[i];
