@@ -3,7 +3,8 @@
 
 /// launch : 1-D, one work-item per pixel
 /// in     : surfels of the film with their numbering; pencil_at[pixel]: film pencil of a pixel, -1: none; coarsest: largest spacing
-/// in/out : uncovered[capacity]: 1 on entry for surfels in question; 1 if the least reuse_error of the lattice points about the surfel's pixel exceeds `most_error`, else 0
+/// in/out : uncovered[capacity]: 1 on entry for surfels in question; 1 if the least reuse_error of the lattice points about the surfel's
+/// pixel exceeds `most_error`, else 0
 kernel void cover_film(global const float *surfels, int capacity, global const uchar *counts, global const int *first_surfel,
                        global const SurfacePencil *pencils, global const int *pencil_at, int coarsest, int finest, float most_error,
                        int width, int height, global uchar *uncovered) {

@@ -25,25 +25,36 @@ kernel void measure_hemispheres(global const float *surfels, int capacity, int f
     int item = get_global_id(0);
     if (item >= pencil_count) return;
     global SurfacePencil *pencil = pencils + first_pencil + item;
-    float inverse = 0.0f, nearest[RING_SECTORS];
-    size_t blocker[RING_SECTORS];
-    for (int s = 0; s < RING_SECTORS; ++s) nearest[s] = INFINITY;
+    float inverse = 0.0f, nearest[2 * RING_SECTORS];  // the nearest plane of each sector, then the next
+    size_t blocker[2 * RING_SECTORS];
+    int plane[2 * RING_SECTORS];
+    for (int s = 0; s < 2 * RING_SECTORS; ++s) {
+        nearest[s] = INFINITY;
+        plane[s] = -1;
+    }
     for (int i = 0; i < n * n; ++i) {
         size_t at = (size_t)first_surfel + (size_t)item * n * n + i;
-        if (as_int(surfels[(size_t)SURFEL_PLANE * capacity + at]) < 0) continue;
+        int met = as_int(surfels[(size_t)SURFEL_PLANE * capacity + at]);
+        if (met < 0) continue;
         float distance = length(step_to_surfel(surfels, capacity, at, pencil));
         inverse += 1.0f / fmax(distance, HORIZON_TINY);
         int2 texel = hemisphere_texel(i, n);
         if (texel.x > 0 && texel.x < n - 1 && texel.y > 0 && texel.y < n - 1) continue;
         // On the rim of the disc the concentric map keeps the direction's octant.
         int sector = ring_sector(2 * texel.x + 1 - n, 2 * texel.y + 1 - n);
-        if (distance < nearest[sector]) {
-            nearest[sector] = distance;
-            blocker[sector] = at;
+        int slot = met == plane[sector] || distance < nearest[sector] ? sector : sector + RING_SECTORS;
+        if (!(distance < nearest[slot])) continue;
+        if (slot == sector && met != plane[sector]) {
+            nearest[sector + RING_SECTORS] = nearest[sector];
+            blocker[sector + RING_SECTORS] = blocker[sector];
+            plane[sector + RING_SECTORS] = plane[sector];
         }
+        nearest[slot] = distance;
+        blocker[slot] = at;
+        plane[slot] = met;
     }
     pencil->position.w = inverse > 0.0f ? n * n / inverse : INFINITY;
-    for (int s = 0; s < RING_SECTORS; ++s) {
+    for (int s = 0; s < 2 * RING_SECTORS; ++s) {
         float2 line = nearest[s] < INFINITY ? horizon_line(surfels, capacity, blocker[s], pencil) : (float2)(0.0f);
         pencil->horizon_x[s] = line.x;
         pencil->horizon_y[s] = line.y;

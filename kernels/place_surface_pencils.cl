@@ -1,7 +1,7 @@
 // Puts surface pencils on surfels.
 
 /// How much nearer: well above the rounding of positions, and a small share of the distance [scene units].
-#define PLACE_NEARER 1e-5f
+#define PLACE_NEARER 3e-5f
 #define PLACE_SHARE 1e-2f
 
 /// launch : 1-D, one work-item per new pencil
@@ -21,6 +21,6 @@ kernel void place_surface_pencils(global const float *surfels, int capacity, glo
     pencil->normal = (float4)(s[SURFEL_NX * c], s[SURFEL_NY * c], s[SURFEL_NZ * c], radius);
     pencil->facing = (float4)(s[SURFEL_GX * c], s[SURFEL_GY * c], s[SURFEL_GZ * c], spacing);
     pencil->irradiance = (float4)(0.0f);
-    for (int k = 0; k < RING_SECTORS; ++k) pencil->horizon_x[k] = pencil->horizon_y[k] = 0.0f;
+    for (int k = 0; k < 2 * RING_SECTORS; ++k) pencil->horizon_x[k] = pencil->horizon_y[k] = 0.0f;
     pencil->plane = as_int(s[SURFEL_PLANE * c]);
 }

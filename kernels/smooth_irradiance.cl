@@ -49,7 +49,7 @@ kernel void smooth_irradiance(global const SurfacePencil *pencils, global const 
     // Least squares about the weighted mean.
     float ms = ws / w, mu = wu / w;
     float ss = wss - ms * ws, su = wsu - ms * wu, uu = wuu - mu * wu;
-    float hold = SMOOTH_HOLD * (ss + uu) + 1e-20f;
+    float hold = SMOOTH_HOLD * (ss + uu) + 1e-12f;
     ss += hold;
     uu += hold;
     float3 mean = e0 / w, cs = es - ms * e0, cu = eu - mu * e0;

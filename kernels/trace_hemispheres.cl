@@ -32,7 +32,7 @@ kernel void trace_hemispheres(global const SurfacePencil *pencils, int first_pen
     vfloat pz = sqrt(fmax(1.0f - px * px - py * py, (vfloat)(0.0f)));
     RayPacket rays =
         ray_packet(px * t.x + py * b.x + pz * normal.x, px * t.y + py * b.y + pz * normal.y, px * t.z + py * b.z + pz * normal.z);
-    packet_trace(&rays, origin, pencil->plane, nodes, leaves, triangles, planes);
+    packet_trace(&rays, origin, pencil->plane, 0.0f, nodes, leaves, triangles, planes);
     vint below = PACKET_MASK(rays.x * facing.x + rays.y * facing.y + rays.z * facing.z <= 0.0f);
     rays.triangle = select(rays.triangle, (vint)(-1), below);
     for (int l = 0; l < PENCIL_WIDTH; ++l) {

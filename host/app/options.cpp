@@ -15,6 +15,7 @@ namespace {
 
 const std::vector<std::string> methods{"line", "surface"};
 /// What only line projection knows.
+const std::vector<std::string> surface_options{"--time", "--target-error"};
 const std::vector<std::string> line_options{"--decay", "--map", "--placement", "--weights", "--iterate"};
 const std::vector<std::string> initials{"direct", "emission", "auto"};
 const std::vector<std::string> placements{"random", "lds", "near-surface", "light-rays", "camera-rays", "profile"};
@@ -132,7 +133,10 @@ void add_solver_options(CLI::App& app, RenderCommand& command) {
     add_seed(app, options.seed);
     app.parse_complete_callback([&app, &options] {
         const auto given = [&app](const std::string& name) { return app.count(name) > 0; };
-        if (!given("--method") && std::any_of(line_options.begin(), line_options.end(), given)) options.method = Method::line;
+        const bool line = std::any_of(line_options.begin(), line_options.end(), given);
+        if (!given("--method")) options.method = line ? Method::line : Method::surface;
+        for (const std::string& name : options.method == Method::line ? surface_options : line_options)
+            if (given(name)) throw CLI::ValidationError(name, "is not an option of --method " + to_string(options.method));
     });
 }
 

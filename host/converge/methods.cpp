@@ -43,7 +43,7 @@ std::vector<MeasuredMethod> make_methods() {
     voronoi.weights = Weights::voronoi;
     analytic.weights = Weights::analytic;
     thesis.weights = Weights::thesis;
-    return {pencil_method("sets", "a new, smaller set of pencils for each bounce, consistent weights (the default of pencil render)",
+    return {pencil_method("sets", "a new, smaller set of pencils for each bounce, consistent weights (pencil render --method line)",
                           standard, ""),
             pencil_method("fixed", "one set of pencils for all bounces, consistent weights", fixed, " --iterate fixed"),
             pencil_method("voronoi", "a new, smaller set for each bounce, weights by Voronoi cells of directions", voronoi,
@@ -51,7 +51,7 @@ std::vector<MeasuredMethod> make_methods() {
             pencil_method("analytic", "a new, smaller set for each bounce, weights by the free path", analytic, " --weights analytic"),
             pencil_method("thesis", "a new, smaller set for each bounce, weights with the normaliser printed in the thesis", thesis,
                           " --weights thesis"),
-            {"surface", "pencils on surfaces gather indirect light for the film and for each other (pencil render --method surface)",
+            {"surface", "pencils on surfaces gather indirect light for the film and for each other (the default of pencil render)",
              surface_budget}};
 }
 

@@ -71,7 +71,7 @@ std::string definitions(const Report& report) {
     }
     return html +
            "<dt>relative error</dt><dd>sqrt(relMSE), relMSE = mean((x − r)² / (r² + 0.01 m²)): x the image, r the reference, m = mean(r); "
-           "over pixels and channels.</dd>\n"
+           "over pixels and channels. The reference's own noise, where it is known, is taken off.</dd>\n"
            "<dt>RMSE</dt><dd>sqrt(mean((x − r)²)). Bright pixels decide it.</dd>\n"
            "<dt>L*a*b* RMS</dt><dd>root mean square distance of the displayed colours in CIE L*a*b* (D65), exposure " +
            round_text(report.truth.exposure) +

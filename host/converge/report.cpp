@@ -9,7 +9,7 @@
 namespace pencil {
 namespace {
 
-constexpr double noticeable_noise = 0.1;  // relMSE of the reference over the smallest that is measured
+constexpr double noticeable_noise = 1.0;  // relMSE of the reference over the smallest that is measured
 constexpr double busy = 2;                // load per core: our own runs keep about one process per core running
 constexpr std::size_t few_points = 5;
 constexpr double short_range = 30;  // longest over shortest time
@@ -74,7 +74,7 @@ std::vector<std::string> run_warnings(const Report& report) {
     const std::optional<double>& noise = report.truth.noise_rel_mse;
     if (noise && *noise > noticeable_noise * smallest) {
         warnings.push_back("the noise of the reference, relMSE " + round_text(*noise) + ", is " + percent_text(*noise / smallest) +
-                           " of the smallest measured relMSE and adds to it; give a better --reference");
+                           " of the smallest relMSE that is left when it is taken off; give a better --reference");
     }
     return warnings;
 }

@@ -69,6 +69,12 @@ std::optional<double> square_of_mean(const BudgetSummary& budget, const std::str
     return measure({rgb.data(), truth.rgb.data(), rgb.size() / 3, 3}).rel_mse;
 }
 
+/// relMSE without the noise of the reference, which adds to it; the estimate of that noise is good to a few per cent at best.
+double above_reference_noise(double rel_mse, const Truth& truth) {
+    constexpr double least = 0.05;
+    return std::max(rel_mse - truth.noise_rel_mse.value_or(0.0), least * rel_mse);
+}
+
 BudgetSummary summarise_budget(const Points& points, const ConvergeOptions& options, const Truth& truth) {
     BudgetSummary budget;
     budget.budget = points.front()->budget;
@@ -79,7 +85,7 @@ BudgetSummary summarise_budget(const Points& points, const ConvergeOptions& opti
         seconds.push_back(point->seconds);
     }
     budget.seconds = median(seconds);
-    const double square = mean(points, [](const RunPoint& p) { return p.rel_mse; });
+    const double square = above_reference_noise(mean(points, [](const RunPoint& p) { return p.rel_mse; }), truth);
     budget.relative_error = std::sqrt(square);
     budget.rmse = std::sqrt(mean(points, [](const RunPoint& p) { return p.rmse * p.rmse; }));
     budget.lab_rms = std::sqrt(mean(points, [](const RunPoint& p) { return p.lab_rms * p.lab_rms; }));
@@ -87,7 +93,7 @@ BudgetSummary summarise_budget(const Points& points, const ConvergeOptions& opti
     budget.stages = median_stages(points);
     if (points.size() > 1) {
         if (const std::optional<double> of_mean = square_of_mean(budget, points.front()->method, options, truth)) {
-            const BiasAndNoise parts = split_error(square, *of_mean, static_cast<int>(points.size()));
+            const BiasAndNoise parts = split_error(square, above_reference_noise(*of_mean, truth), static_cast<int>(points.size()));
             budget.bias = parts.bias;
             budget.noise = parts.noise;
         }

@@ -69,6 +69,7 @@ BvhNode empty_node() {
     for (int k = 0; k < 2; ++k) {
         node.low[k] = float4(INFINITY);
         node.high[k] = float4(-INFINITY);
+        node.child[k] = -1;
     }
     return node;
 }

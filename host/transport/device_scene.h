@@ -3,15 +3,20 @@
 
 #include "cl/buffer.h"
 #include "pencils/build_bvh.h"
+#include "pencils/cluster_triangles.h"
 #include "pencils/flat_scene.h"
+#include "transport/visibility_path.h"
 
 namespace pencil {
 
 struct DeviceScene {
-    /// `bvh`: empty where no kernel follows rays.
-    DeviceScene(const std::shared_ptr<Device>& device, const FlatScene& flat, const Bvh& bvh = {});
+    /// `bvh`: empty where no kernel follows rays; `grouped`: empty where none rasterises by clusters.
+    DeviceScene(const std::shared_ptr<Device>& device, const FlatScene& flat, const Bvh& bvh = {}, const Clusters& grouped = {});
 
-    int triangle_count;
+    Prepared prepared() const { return {cluster_count > 0, has_bvh}; }
+
+    int triangle_count, cluster_count;
+    bool has_bvh;
     Buffer<Triangle> triangles;
     Buffer<float4> planes;
     Buffer<Material> materials;
@@ -19,6 +24,8 @@ struct DeviceScene {
     Buffer<float4> to_film;
     Buffer<BvhNode> nodes;
     Buffer<int> leaves;
+    Buffer<Cluster> clusters;
+    Buffer<int> members;
 };
 
 }  // namespace pencil

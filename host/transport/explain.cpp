@@ -22,11 +22,13 @@ std::string light_sentence(const Scene& scene, const std::vector<LightForm>& for
 }  // namespace
 
 std::vector<std::string> explain(const Scene& scene, const RenderOptions& options, const std::vector<LightForm>& forms,
-                                 const Features& features, const Device& device) {
+                                 const Features& features, const std::string& maps, const Device& device) {
     std::vector<std::string> lines;
     lines.push_back("packets of " + std::to_string(device.packet_width()) + " surfels per work-item on " + device.info().name);
     lines.push_back(light_sentence(scene, forms, options.initial));
+    if (!maps.empty()) lines.push_back(maps);
     if (options.method == Method::surface) {
+        lines.push_back("visibility: always rays through the hierarchy; no geometry maps, so no choice among ways to make them");
         lines.push_back("indirect light: pencils on surfaces; left out: octahedral maps of pencils, density, weights, shrinking sets");
     } else {
         lines.push_back(explain_weights(features.weights, cell_grid(options.pencils)));

@@ -10,7 +10,8 @@
 
 namespace pencil {
 
+/// `maps`: the sentence about geometry maps, empty if none are made.
 std::vector<std::string> explain(const Scene& scene, const RenderOptions& options, const std::vector<LightForm>& forms,
-                                 const Features& features, const Device& device);
+                                 const Features& features, const std::string& maps, const Device& device);
 
 }  // namespace pencil

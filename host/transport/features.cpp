@@ -10,8 +10,8 @@ namespace pencil {
 Features detect_features(const FlatScene& scene, const RenderOptions& options) {
     Features features;
     features.smooth = !scene.normals.empty();
-    features.weights = options.weights;
-    features.cell_grid = options.weights == Weights::voronoi ? largest_cell_grid(options.pencils) : 0;
+    if (options.method == Method::line) features.weights = options.weights;
+    features.cell_grid = features.weights == Weights::voronoi ? largest_cell_grid(options.pencils) : 0;
     features.bvh = options.method == Method::surface;
     features.film_samples = options.film_samples;
     return features;
@@ -29,9 +29,9 @@ Defines to_defines(const Features& features, int block) {
 Launch Kernels::get(const std::string& name) {
     const KernelGroup* group = find_group(name);
     if (!group) throw std::logic_error("kernel " + name + " is in no group of kernel_groups.cpp");
-    std::vector<std::string> files = {"shared/types.h",          "shared/atlas.h",  "shared/geometry.h", "shared/camera.h",
-                                      "shared/surfel.h",         "shared/light.h",  "shared/film.h",     "shared/bvh.h",
-                                      "shared/surface_pencil.h", "shared/weights.h"};
+    std::vector<std::string> files = {"shared/types.h",          "shared/atlas.h",   "shared/geometry.h", "shared/camera.h",
+                                      "shared/surfel.h",         "shared/light.h",   "shared/film.h",     "shared/bvh.h",
+                                      "shared/surface_pencil.h", "shared/weights.h", "shared/cluster.h"};
     for (const std::string& library : group->libraries)
         files.push_back("lib/" + (library == "weights" ? weights_library(features_.weights) : library) + ".cl");
     for (const std::string& kernel : group->kernels) files.push_back(kernel + ".cl");

@@ -104,7 +104,8 @@ void FilmPencils::refine(SurfaceSolver& solver) {
         place(pixels, spacing / 2);
         gather();
     }
-    place_singles(uncovered(finest_));
+    if (solver.stopped()) finest_ = lattice_.coarsest;
+    place_singles(solver.stopped() ? std::vector<unsigned char>(static_cast<std::size_t>(film_.surfels().count), 0) : uncovered(finest_));
     solver.gather(singles_, 0, singles_.count);
 }
 

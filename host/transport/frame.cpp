@@ -3,8 +3,9 @@
 #include <algorithm>
 
 #include "transport/candidate_source.h"
+#include "transport/geometry_maps.h"
 #include "transport/light_surfels.h"
-#include "transport/rasterize_octahedral.h"
+#include "transport/planned_maps.h"
 
 namespace pencil {
 
@@ -14,11 +15,20 @@ namespace {
 constexpr int light_map_factor = 4;
 constexpr int largest_light_map = 256;
 
-Bvh hierarchy(RenderContext& context) {
+Prepared preparation(const RenderContext& context) {
+    if (context.kernels.features().bvh) return {false, true};
+    const int units = static_cast<int>(context.kernels.device()->info().compute_units);
+    return plan_preparation(static_cast<int>(context.flat.triangles.size()), context.batches, units);
+}
+
+DeviceScene prepare_scene(RenderContext& context) {
     Bvh bvh;
+    Clusters clusters;
     const bool rays = context.options.method == Method::line && follows_rays(context.options.placement);
-    if (rays || context.kernels.features().bvh) context.clock.run("hierarchy", [&] { bvh = build_bvh(context.flat.triangles); });
-    return bvh;
+    context.prepared.bvh = context.prepared.bvh || rays;
+    if (context.prepared.bvh) context.clock.run("hierarchy", [&] { bvh = build_bvh(context.flat.triangles); });
+    if (context.prepared.clusters) context.clock.run("clusters", [&] { clusters = cluster_triangles(context.flat.triangles); });
+    return DeviceScene(context.kernels.device(), context.flat, bvh, clusters);
 }
 
 }  // namespace
@@ -33,7 +43,9 @@ RenderContext::RenderContext(const Scene& scene_to_render, const RenderOptions& 
       flat(flatten(scene, forms, options.width, options.height)),
       kernels(device, detect_features(flat, options)),
       clock(device, progress),
-      device_scene(device, flat, hierarchy(*this)) {
+      batches(planned_maps(scene, forms, options)),
+      prepared(preparation(*this)),
+      device_scene(prepare_scene(*this)) {
     for (std::size_t i = 0; i < forms.size(); ++i) maps_emit = maps_emit || (scene.shapes[i].emits && forms[i] == LightForm::maps);
 }
 
@@ -52,7 +64,7 @@ void Frame::make_lights(int count, int map, std::uint64_t seed) {
     samples_ = sample_lights(context_.scene, context_.flat, context_.forms, count, seed);
     if (samples_.empty()) return;
     lights_ = LightSet(context_.kernels.device(), samples_, map, !context_.kernels.features().bvh);
-    if (map > 0) rasterize_octahedral(context_.kernels, context_.device_scene, lights_.maps, 0, lights_.maps.count);
+    if (map > 0) make_geometry_maps(context_.kernels, context_.device_scene, lights_.maps, 0, lights_.maps.count);
 }
 
 void Frame::add_direct() {

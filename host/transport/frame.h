@@ -27,6 +27,8 @@ struct RenderContext {
     FlatScene flat;
     Kernels kernels;
     StageClock clock;
+    std::vector<MapBatch> batches;  // geometry maps that will be made, as far as can be told
+    Prepared prepared;
     DeviceScene device_scene;
     bool maps_emit = false;  // some emitter is carried by the maps
     RenderStats stats;

@@ -6,15 +6,15 @@
 
 #include "transport/find_enclosing.h"
 #include "transport/find_sides.h"
-#include "transport/rasterize_octahedral.h"
+#include "transport/geometry_maps.h"
 
 namespace pencil {
 
 namespace {
 
-std::shared_ptr<GeometryMaps> rasterized(Kernels& kernels, const DeviceScene& scene, const std::vector<float4>& centres, int n) {
+std::shared_ptr<GeometryMaps> made_maps(Kernels& kernels, const DeviceScene& scene, const std::vector<float4>& centres, int n) {
     auto maps = std::make_shared<GeometryMaps>(kernels.device(), centres, n, "pencil");
-    rasterize_octahedral(kernels, scene, *maps, 0, maps->count);
+    make_geometry_maps(kernels, scene, *maps, 0, maps->count);
     return maps;
 }
 
@@ -34,7 +34,7 @@ int next_batch(int missing, int filled, int tried, int count) {
 FreeSpace::FreeSpace(Kernels& kernels, const DeviceScene& scene, const FlatScene& flat, const Surfels& film, const GeometryMaps* lights,
                      int map_size)
     : scene_(scene), flat_(flat), map_size_(map_size), reached_(side_words(flat.materials.size()), 0U) {
-    auto camera = rasterized(kernels, scene, {float4(glm::vec3(flat.camera.origin), 0.0F)}, map_size);
+    auto camera = made_maps(kernels, scene, {float4(glm::vec3(flat.camera.origin), 0.0F)}, map_size);
     for (int shape : find_enclosing(kernels, scene, *camera)) rooms_.insert(shape);
     reach_film(film);
     if (lights) {
@@ -109,7 +109,7 @@ CentreSpace FreeSpace::space() const {
 }
 
 std::shared_ptr<GeometryMaps> FreeSpace::create(Kernels& kernels, CandidateSource& source, int count, int set, const PowerSeen& power) {
-    auto batch = rasterized(kernels, scene_, source.place({set, 0, count, power}), map_size_);
+    auto batch = made_maps(kernels, scene_, source.place({set, 0, count, power}), map_size_);
     std::vector<bool> keep = accepted(kernels, *batch);
     if (std::find(keep.begin(), keep.end(), false) == keep.end()) return batch;
 
@@ -120,7 +120,7 @@ std::shared_ptr<GeometryMaps> FreeSpace::create(Kernels& kernels, CandidateSourc
             if (keep[static_cast<std::size_t>(tile)]) maps->copy_tile(*batch, tile, filled++);
         if (filled == count) return maps;
         if (round == most_rounds) break;
-        batch = rasterized(kernels, scene_, source.place({set, tried, next_batch(count - filled, filled, tried, count), power}), map_size_);
+        batch = made_maps(kernels, scene_, source.place({set, tried, next_batch(count - filled, filled, tried, count), power}), map_size_);
         tried += batch->count;
         keep = accepted(kernels, *batch);
     }

@@ -12,9 +12,9 @@ const std::vector<KernelGroup>& groups() {
         {{"packet", "octahedral", "triangle", "raster", "surfel"},
          {"rasterize_film", "classify_film", "film_surfels", "emit_surfels", "resolve_film"}},
         // Geometry maps, and direct light through them.
-        {{"packet", "hash", "octahedral", "triangle", "raster", "footprint", "surfel_packet", "bvh", "visibility", "packet_visibility",
-          "light_sample"},
-         {"rasterize_octahedral", "fold_hits", "light_surfels", "sample_lights"}},
+        {{"packet", "hash", "octahedral", "triangle", "raster", "octant", "footprint", "surfel_packet", "bvh", "visibility",
+          "packet_visibility", "light_sample"},
+         {"rasterize_octahedral", "rasterize_clusters", "trace_octahedral", "fold_hits", "light_surfels", "sample_lights"}},
         // Line projection.
         {{"packet", "octahedral", "triangle", "surfel", "footprint", "surfel_packet", "bvh", "visibility", "packet_visibility",
           "projection", "weights"},

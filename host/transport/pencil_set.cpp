@@ -11,7 +11,9 @@ namespace {
 /// Kernels index texels with 32 bits.
 constexpr std::size_t most_texels = 0x7fffffff;
 
+/// n = 0: no maps, and one texel since there are no empty buffers.
 std::size_t atlas_texels(std::size_t tiles, int n) {
+    if (n == 0) return 1;
     const std::size_t texels = tiles * static_cast<std::size_t>(PENCIL_TILE_TEXELS(n));
     if (texels > most_texels)
         throw MemoryError(std::to_string(tiles) + " maps of " + std::to_string(n) + "x" + std::to_string(n) +

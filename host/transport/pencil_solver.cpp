@@ -8,6 +8,7 @@
 #include "transport/free_path_density.h"
 #include "transport/gather_surfels.h"
 #include "transport/light_surfels.h"
+#include "transport/planned_maps.h"
 #include "transport/project_pencils.h"
 #include "transport/store_radiance.h"
 #include "transport/sum_radiance.h"
@@ -17,8 +18,6 @@ namespace pencil {
 
 namespace {
 
-/// Sets do not shrink below this: bounces late in the series are smooth, but not constant.
-constexpr int smallest_set = 16;
 /// Surfels of maps that are worked on at once: bounds memory and the length of a launch.
 constexpr int chunk_surfels = 1 << 20;
 /// Masks of one chunk take at most this much [bytes].
@@ -44,16 +43,11 @@ PencilSolver::PencilSolver(Kernels& kernels, const DeviceScene& scene, FreeSpace
       clock_(clock),
       tables_(kernels) {}
 
-int PencilSolver::set_size(int index) const {
-    const double size = options_.pencils * std::pow(options_.decay, index);
-    return std::max(static_cast<int>(std::lround(size)), std::min(options_.pencils, smallest_set));
-}
-
 PencilSet PencilSolver::create(int index, const PencilSet* source, bool emission, bool direct) {
     PencilSet set;
     const PowerSeen power = [&](std::shared_ptr<GeometryMaps> maps) { return power_seen(std::move(maps), source, emission, direct); };
     times_.maps += clock_.run("pencil maps", [&] {
-        set = PencilSet(kernels_.device(), free_space_.create(kernels_, candidates_, set_size(index), index, power));
+        set = PencilSet(kernels_.device(), free_space_.create(kernels_, candidates_, set_size(options_, index), index, power));
     });
     return set;
 }

@@ -23,9 +23,8 @@ public:
     PencilSolver(Kernels& kernels, const DeviceScene& scene, FreeSpace& free_space, CandidateSource& candidates, const LightSet& lights,
                  const RenderOptions& options, StageClock& clock);
 
-    /// Set number `index` of the series: its size by --decay, its centres, geometry maps. The other arguments are those of fill(): the
+    /// Set number `index` of the series: its centres, geometry maps. The other arguments are those of fill(): the
     /// light that the set is to carry, on which its centres may depend.
-    int set_size(int index) const;
     PencilSet create(int index, const PencilSet* source, bool emission, bool direct);
 
     /// What the texels of `target` send to their centres, which becomes its radiance: emission that the maps carry (`emission`), reflected

@@ -24,13 +24,13 @@ class Renderer {
 public:
     Renderer(const Scene& scene, const RenderOptions& options, const std::vector<std::string>& aovs, std::shared_ptr<Device> device,
              const Progress& progress)
-        : aovs_(aovs), context_(scene, options, std::move(device), progress) {}
+        : aovs_(aovs), built_before_(device->build_seconds()), context_(scene, options, std::move(device), progress) {}
 
     RenderResult run() {
         check_options();
         check_memory();
-        context_.stats.explain =
-            explain(context_.scene, context_.options, context_.forms, context_.kernels.features(), *context_.kernels.device());
+        context_.stats.explain = explain(context_.scene, context_.options, context_.forms, context_.kernels.features(), map_sentence(),
+                                         *context_.kernels.device());
         return context_.options.method == Method::line ? render_line() : render_passes();
     }
 
@@ -58,6 +58,13 @@ private:
             throw MemoryError("a film of " + std::to_string(camera.width) + "x" + std::to_string(camera.height) + " pixels needs about " +
                               std::to_string(static_cast<long long>(bytes / (1 << 20))) + " MiB of device memory, " +
                               std::to_string(static_cast<long long>(available / (1 << 20))) + " MiB exist; use a smaller --resolution");
+    }
+
+    /// How geometry maps are made, empty if none are.
+    std::string map_sentence() const {
+        if (context_.batches.empty()) return "";
+        const int units = static_cast<int>(context_.kernels.device()->info().compute_units);
+        return explain_paths(context_.device_scene.triangle_count, context_.batches, units, context_.prepared);
     }
 
     RenderResult render_line() {
@@ -125,11 +132,15 @@ private:
             return seconds() + pace * surface_pass(index + 1, options, context_.flat.camera, emitters()).work > options.seconds;
         }
         if (mean.count() >= 2) context_.clock.set_fraction(std::min(options.target_error / error, 1.0));
+        if (mean.count() >= 2 && !std::isfinite(error)) {
+            context_.stats.warnings.push_back("the image holds values that are not finite: stopped, the error is not known");
+            return true;
+        }
         return error <= options.target_error || index + 1 >= most_passes;
     }
 
     /// Since the start, but for building kernels: that is the driver's time, and none once its cache is warm.
-    double seconds() const { return watch_.seconds() - context_.kernels.device()->build_seconds(); }
+    double seconds() const { return watch_.seconds() - (context_.kernels.device()->build_seconds() - built_before_); }
 
     RenderResult finish(std::vector<Layer> layers) {
         RenderResult result;
@@ -147,6 +158,7 @@ private:
 
     std::vector<std::string> aovs_;
     Stopwatch watch_;
+    double built_before_;  // seconds of kernel builds for earlier renders on the device
     RenderContext context_;
 };
 

@@ -23,6 +23,9 @@ int coarsest_spacing(const Camera& film) {
     return spacing;
 }
 
+/// Texels draw from at most so many light samples.
+constexpr int most_texel_samples = 1 << 16;
+
 int generation_of(int index) {
     int generation = 0;
     while (index >= (2 << generation) - 1) ++generation;
@@ -39,8 +42,8 @@ SurfacePass surface_pass(int index, const RenderOptions& options, const Camera& 
     pass.work = grown(0.5);
     pass.light_samples =
         std::max(static_cast<int>(std::lround(0.5 * options.light_samples * std::clamp(0.5 * emitters, 1.0, 4.0) * grown(0.25))), 1);
-    pass.texel_light_samples = 16 * pass.light_samples;
-    pass.world.pencils = static_cast<int>(std::lround(options.pencils * std::min(grown(0.75), 64.0)));
+    pass.texel_light_samples = std::min(16 * std::min(pass.light_samples, most_texel_samples), most_texel_samples);
+    pass.world.pencils = static_cast<int>(std::lround(std::min(options.pencils * std::min(grown(0.75), 64.0), 1048576.0)));
     pass.world.light_draws = light_draws;
     pass.lattice.coarsest = std::max(coarsest_spacing(film) >> generation / 4, 2);
     pass.lattice.most_error = static_cast<float>(0.175 * grown(-0.35));
@@ -50,7 +53,7 @@ SurfacePass surface_pass(int index, const RenderOptions& options, const Camera& 
 }
 
 void add_surface_bounces(RenderContext& context, const SurfacePass& pass, Frame& frame, std::uint64_t seed) {
-    if (!context.wanted(1) || context.clock.stopped()) return;
+    if (!context.wanted(1) || context.clock.stopped() || frame.film().surfels().count == 0) return;
     const auto& device = context.kernels.device();
     const std::vector<LightSample> samples =
         sample_lights(context.scene, context.flat, context.forms, pass.texel_light_samples, hash64(seed + 1));
@@ -61,6 +64,7 @@ void add_surface_bounces(RenderContext& context, const SurfacePass& pass, Frame&
     const int spacing = seed_spacing * coarsest_spacing(context.flat.camera);
     FilmPencils seeds(context.kernels, frame.film(), {spacing, spacing, 0.0F, film_map, 0.0F});
     solver.solve(seeds.pencils(), context.options.bounces, context.options.tolerance);
+    if (context.clock.stopped()) return;
     FilmPencils film(context.kernels, frame.film(), pass.lattice);
     context.clock.run("film pencils", [&] { film.refine(solver); });
     context.stats.world_pencils += static_cast<std::uint64_t>(solver.world().count);

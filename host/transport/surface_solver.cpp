@@ -16,6 +16,8 @@ constexpr int most_iterations = 512;
 constexpr int most_candidates = 64;
 /// The world's bounces stop at this share of the tolerance of the image.
 constexpr double tolerance_share = 0.1;
+/// Keeps the tail finite at any albedo, as in line projection.
+constexpr double largest_ratio = 0.999;
 
 double power(const std::vector<float4>& irradiance) {
     double sum = 0;
@@ -93,10 +95,10 @@ void SurfaceSolver::iterate(int orders, double tolerance) {
     const auto& device = kernels_.device();
     const std::vector<float4> dark(static_cast<std::size_t>(count), float4(0));
     const std::vector<float4> emitted = irradiance(true, false);
-    const std::vector<float4> lit = lights_.samples.maps.count > 0 ? irradiance(false, true) : dark;
+    const std::vector<float4> lit = lights_.samples.maps.count > 0 && orders != 2 ? irradiance(false, true) : dark;
     Buffer<float4> source(device, emitted, "irradiance"), target(device, dark, "irradiance"),
         total(device, emitted, "irradiance of all bounces");
-    double sum = power(emitted), last = 0;
+    double sum = power(emitted), last = sum, ratio = 0;
     for (int k = 1; k < most_iterations && (orders < 0 || k + 2 <= orders); ++k) {
         target.fill_zero();
         if (k == 1) target.write(lit);
@@ -105,14 +107,18 @@ void SurfaceSolver::iterate(int orders, double tolerance) {
                   world_.pencils().n, source, target, total)
             .run(static_cast<std::size_t>(count), "transport irradiance", 8);
         std::swap(source, target);
-        last = power(source.read());
+        const double step = power(source.read());
+        ratio = last > 0 ? std::min(step / last, largest_ratio) : 0;
+        last = step;
         sum += last;
-        if (orders < 0 && last <= tolerance * tolerance_share * sum) break;
+        if (orders < 0 && k >= 2 && last <= tolerance * tolerance_share * sum) break;
     }
-    residual_ = sum > 0 && orders < 0 ? last / sum : 0;
+    // The rest of the series, as if its terms went on falling in the last ratio.
+    const float tail = orders < 0 ? static_cast<float>(ratio / (1.0 - ratio)) : 0.0F;
+    residual_ = sum > 0 ? static_cast<double>(tail) * last / sum : 0;
     std::vector<SurfacePencil> pencils = world_.pencils().data.read(0, static_cast<std::size_t>(count));
-    const std::vector<float4> all = total.read();
-    for (std::size_t i = 0; i < pencils.size(); ++i) pencils[i].irradiance = all[i];
+    const std::vector<float4> all = total.read(), rest = source.read();
+    for (std::size_t i = 0; i < pencils.size(); ++i) pencils[i].irradiance = all[i] + tail * rest[i];
     world_.pencils().data.write(pencils);
 }
 

@@ -51,7 +51,9 @@ void WorldSet::cover(const SurfacePencils& seeds) {
         first = extend(surfels_, choose(surfels_, first * pencils_.texels(), {}, thinner), pencils_);
     grid_ = DeviceGrid(kernels_.device(), pencils_, flat_);
     PointThinner finer(fill_spacing * spacing_, alike);
-    if (fill(seen, seeds, finer) + fill(surfels_, pencils_, finer) > 0) grid_ = DeviceGrid(kernels_.device(), pencils_, flat_);
+    int added = fill(seen, seeds, finer);
+    added += fill(surfels_, pencils_, finer);
+    if (added > 0) grid_ = DeviceGrid(kernels_.device(), pencils_, flat_);
     links_ = link_surfels(kernels_, surfels_, pencils_, grid_);
 }
 

@@ -37,10 +37,10 @@ inline vint packet_meets_box(const RayPacket *r, float4 low, float4 high, vfloat
     return PACKET_MASK(in <= out);
 }
 
-/// Meets one triangle. Nearer wins, at equal disparity the lower index.
-inline void packet_meet_triangle(RayPacket *r, global const Triangle *t, int index, float4 plane, float4 origin) {
+/// Meets one triangle, unless its plane passes within `tolerance` of the origin. Nearer wins, at equal disparity the lower index.
+inline void packet_meet_triangle(RayPacket *r, global const Triangle *t, int index, float4 plane, float4 origin, float tolerance) {
     float ahead = plane_ahead(plane, origin);
-    if (ahead == 0.0f) return;
+    if (fabs(ahead) <= tolerance) return;
     float side = ahead > 0.0f ? 1.0f : -1.0f;
     float4 a = t->v0 - origin, b = t->v1 - origin, c = t->v2 - origin;
     float4 ab = edge_normal(a, b) * side, bc = edge_normal(b, c) * side, ca = edge_normal(c, a) * side, w = plane / ahead;
@@ -55,8 +55,9 @@ inline void packet_meet_triangle(RayPacket *r, global const Triangle *t, int ind
     r->triangle = select(r->triangle, (vint)(index), meets);
 }
 
-/// Follows the rays through the whole scene but for the plane `own` that they start on. All other planes stop rays, however near they are.
-inline void packet_trace(RayPacket *r, float4 origin, int own, global const BvhNode *nodes, global const int *leaves,
+/// Follows the rays through the whole scene but for the plane `own` that they start on (-1: on none), and for planes within `tolerance` of
+/// the origin; 0: planes stop rays however near they are.
+inline void packet_trace(RayPacket *r, float4 origin, int own, float tolerance, global const BvhNode *nodes, global const int *leaves,
                          global const Triangle *triangles, global const float4 *planes) {
     int stack[BVH_MOST_LEVELS + 1];
     int depth = 0;
@@ -66,13 +67,12 @@ inline void packet_trace(RayPacket *r, float4 origin, int own, global const BvhN
         vfloat entry[2] = {(vfloat)(0.0f), (vfloat)(0.0f)};
         bool meets[2];
         for (int k = 0; k < 2; ++k) {
-            bool empty = node->child[k] == 0 && node->count[k] == 0;  // the root is no child
-            meets[k] = !empty && PACKET_ANY(packet_meets_box(r, node->low[k] - origin, node->high[k] - origin, entry + k));
+            meets[k] = PACKET_ANY(packet_meets_box(r, node->low[k] - origin, node->high[k] - origin, entry + k)) && node->child[k] >= 0;
             if (!meets[k] || node->count[k] == 0) continue;
             for (int i = node->child[k]; i < node->child[k] + node->count[k]; ++i) {
                 int triangle = leaves[i];
                 int plane = triangles[triangle].plane;
-                if (plane != own) packet_meet_triangle(r, triangles + triangle, triangle, planes[plane], origin);
+                if (plane != own) packet_meet_triangle(r, triangles + triangle, triangle, planes[plane], origin, tolerance);
             }
             meets[k] = false;
         }

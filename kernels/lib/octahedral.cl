@@ -40,6 +40,12 @@ inline int2 oct_surfel_texel(int i, int n) {
     return corner + (int2)(patch % 2 * 4 + lane % 4, patch / 2 * 2 + lane / 4);
 }
 
+/// Texel `i` of a tile in an order by blocks of 4 x 4 texels, for packets that must be compact. n is a multiple of 4.
+inline int2 oct_block_texel(int i, int n) {
+    int block = i / 16, lane = i % 16;
+    return (int2)(block % (n / 4) * 4 + lane % 4, block / (n / 4) * 4 + lane / 4);
+}
+
 /// Index of a texel (or of a gutter texel, coordinates -1 and n) in the atlas buffer.
 inline int oct_atlas_index(int tile, int2 texel, int n) {
     return tile * PENCIL_TILE_TEXELS(n) + (texel.y + PENCIL_GUTTER) * PENCIL_TILE_STRIDE(n) + texel.x + PENCIL_GUTTER;

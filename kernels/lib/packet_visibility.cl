@@ -3,6 +3,9 @@
 // lanes mostly do. Sets of lanes are bits of an int here. With PENCIL_BVH rays settle what cells and planes leave
 // open, exactly; where there are no maps (n = 0), everything. Needs packet.cl, surfel_packet.cl, footprint.cl, visibility.cl, bvh.cl.
 
+/// A shadow ray passes planes that its surfel is beyond by less than this: rounding of positions [scene units].
+#define SHADOW_TOLERANCE 1e-7f
+
 /// A packet of surfels as a tile meets it. A block of packets is aimed before the first is tested, so that the memory which the tests need
 /// is on its way: the maps of a set are larger than the near caches.
 typedef struct Aimed {
@@ -71,6 +74,13 @@ inline int seen_past_group(const SurfelPacket *s, const VisibilityMap *map, cons
     return lanes;
 }
 
+/// Lanes that lie on another plane than number `own` and beyond it, as seen from a centre to which it is `ahead`. No more tolerance than
+/// rounding: what lies in a crease is not to see past the other wall.
+inline int packet_beyond(const SurfelPacket *s, int own, float4 plane, float ahead) {
+    vfloat distance = plane.w - fma(s->x, (vfloat)(plane.x), fma(s->y, (vfloat)(plane.y), s->z * plane.z));
+    return PACKET_BITS(PACKET_MASK(distance * copysign(1.0f, ahead) < -SHADOW_TOLERANCE) & PACKET_MASK(s->plane != own));
+}
+
 /// Those of `open` that are seen from `cop`, by rays through the hierarchy of the scene.
 inline int settle_by_rays(const SurfelPacket *s, const VisibilityMap *map, float4 cop, int open) {
     RayPacket rays = ray_packet(s->x - cop.x, s->y - cop.y, s->z - cop.z);
@@ -82,13 +92,13 @@ inline int settle_by_rays(const SurfelPacket *s, const VisibilityMap *map, float
         rays.nearest = select((vfloat)(-1.0f), (vfloat)(1.0f), PACKET_FROM_BITS(open));
         for (int k = 0; k < 2; ++k) {
             vfloat entry;
-            if (!PACKET_ANY(packet_meets_box(&rays, node->low[k] - cop, node->high[k] - cop, &entry))) continue;
+            if (node->child[k] < 0 || !PACKET_ANY(packet_meets_box(&rays, node->low[k] - cop, node->high[k] - cop, &entry))) continue;
             if (node->count[k] == 0) stack[depth++] = node->child[k];
             for (int i = node->child[k]; i < node->child[k] + node->count[k]; ++i) {
                 global const Triangle *triangle = map->triangles + map->leaves[i];
                 float4 plane = map->planes[triangle->plane];
                 float ahead = plane_ahead(plane, cop);
-                int behind = fabs(ahead) < PLANE_TOLERANCE ? 0 : open & packet_behind(s, plane, cop);
+                int behind = fabs(ahead) < PLANE_TOLERANCE ? 0 : open & packet_beyond(s, triangle->plane, plane, ahead);
                 if (behind) open &= ~(behind & packet_meets_triangle(s, triangle, cop, ahead > 0.0f ? 1.0f : -1.0f));
             }
         }

@@ -4,7 +4,7 @@
 #define LINKS 4
 
 /// The best pencils at a point and their weights, which sum to 1; index -1 and weight 0 where there are fewer. Where none may be used, the
-/// nearest that faces the same way: in the narrowest corners something must stand for the light.
+/// nearest that faces the same way and has a clear horizon: in the narrowest corners something must stand for the light.
 typedef struct PencilLinks {
     int index[LINKS];
     float weight[LINKS];
@@ -66,7 +66,8 @@ inline PencilLinks nearest_pencils(global const SurfacePencil *pencils, PencilGr
         }
         for (int bits = links.index[0] < 0 ? reached : 0; bits; bits &= bits - 1) {
             int l = LOWEST_LANE(bits);
-            if (LANE_FLOAT(distance, l) >= least) continue;
+            global const SurfacePencil *p = pencils + index[l];
+            if (LANE_FLOAT(distance, l) >= least || !clear_horizon(p, x - p->position.xyz)) continue;
             least = LANE_FLOAT(distance, l);
             last = index[l];
         }

@@ -29,8 +29,7 @@ inline RasterTriangle raster_setup(float4 p0, float4 p1, float4 p2, float4 plane
 }
 
 /// Draws texels first..last of one row: u of texel x is u0 + x * du. `row` points at texel 0. What has a larger disparity than `nearest` is
-/// not there (INFINITY: all is). Larger disparity wins; at equal disparity the lower triangle index, because triangles come in ascending
-/// order (documented tie).
+/// not there (INFINITY: all is). Larger disparity wins; at equal disparity the lower triangle index (documented tie).
 inline void raster_row(const RasterTriangle *t, int triangle, float u0, float du, float v, int first, int last, float nearest,
                        global Hit *row) {
     float4 base = t->b * v + t->c;
@@ -48,7 +47,8 @@ inline void raster_row(const RasterTriangle *t, int triangle, float u0, float du
         PACKET_STORE(covered, inside);
         PACKET_STORE(w, disparity);
         for (int l = 0; l < PENCIL_WIDTH; ++l)
-            if (inside[l] && disparity[l] > row[x + l].disparity && disparity[l] <= nearest) {
+            if (inside[l] && disparity[l] >= row[x + l].disparity && disparity[l] <= nearest) {
+                if (disparity[l] == row[x + l].disparity && triangle > row[x + l].triangle) continue;
                 row[x + l].triangle = triangle;
                 row[x + l].disparity = disparity[l];
             }

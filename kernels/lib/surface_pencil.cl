@@ -16,7 +16,8 @@ inline bool clear_horizon(global const SurfacePencil *p, float3 step) {
     tangent_frame(p->normal.xyz, &t, &b);
     float x = dot(step, t), y = dot(step, b);
     int sector = ring_sector(x, y);
-    return x * p->horizon_x[sector] + y * p->horizon_y[sector] < 1.0f;
+    int next = sector + RING_SECTORS;
+    return fmax(x * p->horizon_x[sector] + y * p->horizon_y[sector], x * p->horizon_x[next] + y * p->horizon_y[next]) < 1.0f;
 }
 
 /// Distance from the pencil to x if it is at most `most` and the pencil's irradiance may be used there, INFINITY otherwise.

@@ -12,10 +12,10 @@
 PENCIL_SHARED_BEGIN
 
 typedef struct BvhNode {
-    float4 low[2];   // xyz: bounds of each child [scene units], widened by PLANE_TOLERANCE; w unused
-    float4 high[2];  // an empty child has low > high
+    float4 low[2];  // xyz: bounds of each child [scene units], widened by PLANE_TOLERANCE; w unused
+    float4 high[2];
     //------------------------------------------------- 64 B
-    int child[2];  // inner child: its node; leaf: its first entry in the list of triangles
+    int child[2];  // inner child: its node; leaf: its first entry in the list of triangles; empty: -1
     int count[2];  // leaf: number of triangles; inner child or empty: 0
     //------------------------------------------------- 80 B
 } BvhNode;

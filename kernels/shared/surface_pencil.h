@@ -17,14 +17,14 @@ typedef struct SurfacePencil {
     float4 facing;      // xyz: unit geometric normal of that side; w unused
     float4 irradiance;  // rgb [W m^-2]; w unused
     //------------------------------------------------- 64 B
-    // What stands at the horizon of each sector: points p of the tangent plane with p.x horizon_x + p.y horizon_y >= 1 are behind it; 0 if
-    // nothing does [1 / scene units]
-    float horizon_x[RING_SECTORS];
-    float horizon_y[RING_SECTORS];
-    //------------------------------------------------- 128 B
+    // What stands at the horizon of each sector, the nearest plane and then the next: points p of the tangent plane with
+    // p.x horizon_x + p.y horizon_y >= 1 are behind it; 0 if there is none [1 / scene units]
+    float horizon_x[2 * RING_SECTORS];
+    float horizon_y[2 * RING_SECTORS];
+    //------------------------------------------------- 192 B
     int plane;  // of the surface that it lies on: index into planes
     int unused[3];
-    //------------------------------------------------- 144 B
+    //------------------------------------------------- 208 B
 } SurfacePencil;
 
 // Pencils sorted into the cells of a grid over the scene; a pencil is in every cell that its radius reaches. A cell is a run of blocks of

@@ -56,7 +56,7 @@ std::string count_differences(const std::vector<T>& got, const std::vector<T>& e
 }  // namespace
 
 const Sizes& sizes() { return current; }
-void use_tiny_sizes() { current = {16, 32, 20, 8, 6, 48, 4}; }
+void use_tiny_sizes() { current = {16, 32, 20, 8, 6, 48, 4, 3}; }
 
 const std::shared_ptr<Device>& device() {
     static const std::shared_ptr<Device> opened = Device::open(selected);
@@ -82,6 +82,23 @@ void compare(benchmark::State& state, const Line& line, const std::function<void
     state.counters["bytes_per_second"] = runs * line.bytes / kernel_time;
     state.counters["native_items_per_second"] = runs * line.operations / native_time;
     state.counters["ratio"] = native_time / kernel_time;
+    state.SetLabel(line.size);
+}
+
+void time_alone(benchmark::State& state, const Line& line, const std::function<void()>& kernel,
+                const std::function<std::string()>& mismatch) {
+    if (!checked(
+            state, line, kernel, [] {}, mismatch))
+        return;
+    double sum = 0;
+    for ([[maybe_unused]] auto run : state) {
+        const double before = device_seconds(line.descriptions);
+        kernel();
+        const double seconds = device_seconds(line.descriptions) - before;
+        state.SetIterationTime(seconds);
+        sum += seconds;
+    }
+    state.counters["items_per_second"] = static_cast<double>(state.iterations()) * line.operations / sum;
     state.SetLabel(line.size);
 }
 

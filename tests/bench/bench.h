@@ -18,6 +18,7 @@ struct Sizes {
     int pencils = 128, light_samples = 64;
     int tiles = 64;  // of the next set, whose texels are the surfels of pencil transport
     int film = 512, film_samples = 16;
+    int most_maps = 328;  // of visibility_paths
 };
 const Sizes& sizes();
 void use_tiny_sizes();
@@ -39,6 +40,10 @@ struct Line {
 /// bytes_per_second of the kernel, native_items_per_second, ratio (native time / kernel time: 1 is as fast as native).
 void compare(benchmark::State& state, const Line& line, const std::function<void()>& kernel, const std::function<void()>& native,
              const std::function<std::string()>& mismatch);
+
+/// Runs `kernel` alone, where it is compared with other kernels; its time is the device's.
+void time_alone(benchmark::State& state, const Line& line, const std::function<void()>& kernel,
+                const std::function<std::string()>& mismatch);
 
 /// True if a benchmark found a wrong result.
 bool any_mismatch();

@@ -1,4 +1,6 @@
 // Direct light against thesis alg. 6.2: in an empty box against the whole truth, among occluders with the visibility that the maps give.
+#include <numeric>
+
 #include "kernels/kernel_test.h"
 #include "reference/direct_ref.h"
 #include "reference/tolerances.h"
@@ -88,6 +90,33 @@ TEST(LightSurfels, AmongOccludersWithTheMapsVisibility) {
         }
         EXPECT_GT(hidden, 10) << "the occluders hide nothing";
     }
+}
+
+TEST(SampleLights, IsLightSurfelsInTheMean) {
+    Random random(101);
+    const TestScene scene = room_scene(102, 30);
+    Features features;
+    features.bvh = true;
+    Kernels kernels(device(), features);
+    const DeviceScene on_device(device(), scene.flat, build_bvh(scene.flat.triangles));
+    const LightSet lights(device(), random_lights(random, 24), 0, false);
+    const Surfels surfels = gathered(kernels, on_device, random_centres(random, 2), 16, 512);
+    Buffer<float> all = surfel_rgb(device(), surfels.capacity, "all"), sampled = surfel_rgb(device(), surfels.capacity, "sampled");
+    light_surfels(kernels, on_device, surfels, lights, all, "test");
+    constexpr int runs = 2000;
+    for (int run = 0; run < runs; ++run) sample_lights(kernels, on_device, surfels, lights, 2, 2, static_cast<uint>(run) * 7919U, sampled);
+    const std::vector<float> truth = all.read(), mean = sampled.read();
+    double sum = 0, square = 0, size = 0;
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+        const double t = truth[i], error = static_cast<double>(mean[i]) / runs - t;
+        sum += t;
+        size += t * t;
+        square += error * error;
+    }
+    EXPECT_GT(sum, 0.0);
+    // Two draws have a relative standard deviation of about 2, the mean of 2000 runs one of about 0.05.
+    EXPECT_LT(std::sqrt(square / size), 0.1);
+    EXPECT_NEAR(std::accumulate(mean.begin(), mean.end(), 0.0) / runs / sum, 1.0, 0.01);
 }
 
 /// Surfels whose light is not what the exact visibility of all samples gives, with maps of n x n texels, 0: rays only.

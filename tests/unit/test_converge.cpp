@@ -354,7 +354,7 @@ TEST(Report, CardsNameTheMetricsThatDisagree) {
 TEST(Report, WarnsOfWhatTheCurvesDoNotShow) {
     Report report = small_report();
     EXPECT_TRUE(run_warnings(report).empty());
-    report.truth.noise_rel_mse = 1e-4;  // of 1e-4 measured
+    report.truth.noise_rel_mse = 2e-4;  // beside 1e-4 that is left
     ASSERT_EQ(run_warnings(report).size(), 1U);
     EXPECT_NE(run_warnings(report)[0].find("noise of the reference"), std::string::npos);
     report.truth.noise_rel_mse.reset();
