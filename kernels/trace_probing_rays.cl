@@ -12,7 +12,7 @@ kernel void trace_probing_rays(global const float4 *origins, global const float4
     if (i >= count) return;
     float4 origin = (float4)(origins[i].xyz, 0.0f), direction = (float4)(directions[i].xyz, 0.0f);
     RayPacket rays = ray_packet((vfloat)(direction.x), (vfloat)(direction.y), (vfloat)(direction.z));
-    packet_trace(&rays, origin, own[i], nodes, leaves, triangles, planes);
+    packet_trace(&rays, origin, own[i], 0.0f, nodes, leaves, triangles, planes);
     Hit hit = {LANE_INT(rays.triangle, 0), LANE_FLOAT(rays.disparity, 0)};
     write_surfel(surfels, capacity, i, hit, origin, direction, triangles, planes, materials, normals);
     distances[i] = LANE_FLOAT(rays.nearest, 0);
