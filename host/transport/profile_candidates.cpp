@@ -7,7 +7,7 @@
 #include "pencils/low_discrepancy.h"
 #include "pencils/place_pencils.h"
 #include "pencils/warps.h"
-#include "transport/rasterize_octahedral.h"
+#include "transport/geometry_maps.h"
 
 namespace pencil {
 
@@ -75,7 +75,7 @@ std::vector<float4> ProfileCandidates::place(const CandidateQuery& query) {
     const std::vector<float4> centres =
         place_pencils(scene_.flat, Sequence::low_discrepancy, points_per_candidate * query.first, points, query.set, scene_.seed);
     auto maps = std::make_shared<GeometryMaps>(scene_.kernels.device(), centres, profile_map, "illumination profile");
-    rasterize_octahedral(scene_.kernels, scene_.device_scene, *maps, 0, maps->count);
+    make_geometry_maps(scene_.kernels, scene_.device_scene, *maps, 0, maps->count);
     std::vector<double> weights = visible_area(scene_.flat, *maps);
     normalise(weights);
     if (query.power) {
