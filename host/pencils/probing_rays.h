@@ -31,8 +31,8 @@ struct ProbingStream {
     std::uint64_t seed = 0, placement = 0, set = 0;
 };
 
-/// Rays first .. first + count from points uniform over the area of all sides that reflect or emit (over all triangles if none does), along the
-/// normals of those sides; of two-sided walls of the scene's box the inner side. Empty if there are no triangles.
+/// Rays first .. first + count from points uniform over the area of all sides that reflect or emit (over all triangles if none does), along
+/// the normals of those sides; of two-sided walls of the scene's box the inner side. Empty if there are no triangles.
 std::vector<ProbingRay> surface_rays(const FlatScene& flat, const ProbingStream& stream, int first, int count);
 
 /// From light samples chosen by power: cosine-distributed from emitters, in all directions from point lights. Empty without power.

@@ -38,7 +38,8 @@ std::vector<std::string> explain(const Scene& scene, const RenderOptions& option
     if (!features.smooth)
         lines.push_back("left out: shading normals (no vertex normals in the scene): buffer, interpolation and side test");
     if (options.bounces == 0) lines.push_back("left out: light samples and pencils (emission only)");
-    if (options.bounces == 1) lines.push_back("left out: all pencil sets that do not carry direct light (one reflection)");
+    if (options.bounces == 1 && options.method == Method::line)
+        lines.push_back("left out: all pencil sets that do not carry direct light (one reflection)");
     return lines;
 }
 

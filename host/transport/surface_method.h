@@ -23,7 +23,7 @@ struct SurfacePass {
 /// fall (docs/accuracy.md).
 SurfacePass surface_pass(int index, const RenderOptions& options, const Camera& film, int emitters);
 
-/// Adds all reflections from order 2 on (from 1 where maps carry emitters) to the frame, as one layer "indirect".
+/// Adds all reflections from order 2 on, and of order 1 what light samples do not carry, to the frame, as one layer "indirect".
 void add_surface_bounces(RenderContext& context, const SurfacePass& pass, Frame& frame, std::uint64_t seed);
 
 }  // namespace pencil
