@@ -20,7 +20,7 @@ def error(options, placement, seed, folder):
     size = subprocess.run([PROGRAM, "compare", options.reference, options.reference, "--json"], check=True, capture_output=True).stdout
     width, height = json.loads(size)["size"]
     subprocess.run([PROGRAM, "render", options.scene, "-o", image, "--quiet", "--aov", "none", "--resolution", f"{width}x{height}",
-                    "--method", "line", "--placement", placement, "--pencils", str(options.pencils), "--seed", str(seed)], check=True)
+                    "--method", "line", "--placement", placement, "--weights", options.weights, "--pencils", str(options.pencils), "--seed", str(seed)], check=True)
     output = subprocess.run([PROGRAM, "compare", image, options.reference, "--json"], check=True, capture_output=True).stdout
     beauty = json.loads(output)["layers"][0]
     return beauty["rel_mse"], beauty["mean_ratio"]
@@ -31,6 +31,7 @@ def main():
     parser.add_argument("scene")
     parser.add_argument("reference")
     parser.add_argument("--pencils", type=int, default=128)
+    parser.add_argument("--weights", default="dpdf")
     parser.add_argument("--seeds", type=int, default=4, help="at least 2")
     parser.add_argument("--placements", default=",".join(PLACEMENTS), help="separated by commas")
     options = parser.parse_args()

@@ -55,7 +55,8 @@ std::vector<double> visible_area(const FlatScene& flat, const GeometryMaps& maps
         for (int k = 0; k < n * n; ++k) {
             const double length = octahedron_radius(k % n, k / n, n), solid_angle = 1.0 / (length * length * length);
             all += solid_angle;
-            const Hit& hit = hits[static_cast<std::size_t>(tile * PENCIL_TILE_TEXELS(n) + (k / n + 1) * stride + k % n + 1)];
+            const Hit& hit = hits[static_cast<std::size_t>(tile) * static_cast<std::size_t>(PENCIL_TILE_TEXELS(n)) +
+                                  static_cast<std::size_t>((k / n + 1) * stride + k % n + 1)];
             if (hit.triangle < 0) continue;
             const Triangle& t = flat.triangles[static_cast<std::size_t>(hit.triangle)];
             const float4 plane = flat.planes[static_cast<std::size_t>(t.plane)];

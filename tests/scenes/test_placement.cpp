@@ -49,6 +49,7 @@ public:
 private:
     std::vector<dvec3> to_world(const std::vector<float4>& centres) const {
         std::vector<dvec3> out;
+        out.reserve(centres.size());
         for (const float4& c : centres) out.push_back(flat_.normalisation.to_world(dvec3(c)));
         return out;
     }

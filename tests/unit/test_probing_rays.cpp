@@ -116,7 +116,7 @@ TEST(LightRays, StartByPowerAndFollowTheCosine) {
         }
     }
     // Powers: pi 10 0.04 of the lamp, 4 pi 0.1 of the point light.
-    EXPECT_NEAR(lamp, many / 2, 20);
+    EXPECT_NEAR(lamp, 0.5 * many, 20);
     EXPECT_NEAR(cosine / lamp, 2.0 / 3.0, 0.01);
     EXPECT_NEAR(flux / lamp, 0.0, 0.01);
     EXPECT_LT(glm::length(sphere) / (many - lamp), 0.02);
@@ -152,8 +152,8 @@ TEST(ContinuedRays, ReflectDiffuselyInProportionToTheAlbedo) {
         cosine += ray.direction.y / many;
         EXPECT_GE(ray.direction.y, -1e-9);
     }
-    EXPECT_NEAR(from[1], many / 4, 8);
-    EXPECT_NEAR(from[2], 3 * many / 4, 8);
+    EXPECT_NEAR(from[1], 0.25 * many, 8);
+    EXPECT_NEAR(from[2], 0.75 * many, 8);
     EXPECT_NEAR(cosine, 2.0 / 3.0, 0.01);
 }
 
