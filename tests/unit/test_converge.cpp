@@ -304,7 +304,8 @@ Report small_report() {
     report.truth.noise_rel_mse = noise;
     report.finished = true;
     for (int budget = 0; budget < 6; ++budget) {
-        report.points.push_back(point(path_tracer_name, budget, 0, path_tracer_seconds(budget), 1e-3 / path_tracer_seconds(budget) + noise));
+        report.points.push_back(
+            point(path_tracer_name, budget, 0, path_tracer_seconds(budget), 1e-3 / path_tracer_seconds(budget) + noise));
         report.points.push_back(point("sets", budget, 0, 0.3 * std::pow(2, budget), 0.002 + noise));
     }
     report.methods = summarise(report.points, report.options, report.truth);
