@@ -67,8 +67,6 @@ inline bool reaches_between(float4 t, float4 a, float4 b, const float4 *directio
 /// launch : 1-D, one work-item per texel of `tile_count` tiles, gutters included
 /// in     : triangles, planes, cops; hits, interior texels
 /// out    : hits, gutter texels; cells, for the footprint whose first texel this is; groups, groups_around where no plane fills the cell
-/// (not with
-///          PENCIL_BVH)
 kernel void fold_hits(global const Triangle *triangles, global const float4 *planes, global const float4 *cops, int first_tile,
                       int tile_count, int n, global Hit *hits, global int2 *cells, global int4 *groups) {
     int item = get_global_id(0);
@@ -99,10 +97,10 @@ kernel void fold_hits(global const Triangle *triangles, global const float4 *pla
     int2 cell = (int2)(shown[a], shown[b]);
     if (a == b) {
         cells[target] = cell;
-        if (!PENCIL_BVH) groups[target] = (int4)(-1);
+        groups[target] = (int4)(-1);
         return;
     }
-    int4 around = PENCIL_BVH ? (int4)(CELL_MIXED) : groups_around(tile, texel, n, hits, triangles);
+    int4 around = groups_around(tile, texel, n, hits, triangles);
     int near[4];
     vstore4(around, 0, near);
     if (others > 0) {
@@ -120,5 +118,5 @@ kernel void fold_hits(global const Triangle *triangles, global const float4 *pla
         }
     }
     cells[target] = cell;
-    if (!PENCIL_BVH) groups[target] = around;
+    groups[target] = around;
 }

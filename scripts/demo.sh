@@ -7,5 +7,5 @@ scripts/setup.sh
 cmake --preset release -DPENCIL_TESTS=OFF
 cmake --build --preset release --target pencil
 mkdir -p out
-build/release/pencil render scenes/cornell-box.xml --method surface -o out/cornell-box.exr -o out/cornell-box.png "$@"
+build/release/pencil render scenes/cornell-box.xml -o out/cornell-box.exr -o out/cornell-box.png "$@"
 echo "$PWD/out/cornell-box.png"

@@ -30,6 +30,11 @@ struct FlatScene {
     glm::dvec3 low{0.0}, high{0.0};  // bounds of geometry and lights [scene units]
 };
 
+/// Normal of the front times the area [scene units^2].
+inline glm::dvec3 area_vector(const Triangle& t) {
+    return 0.5 * glm::cross(glm::dvec3(t.v1) - glm::dvec3(t.v0), glm::dvec3(t.v2) - glm::dvec3(t.v0));
+}
+
 /// How an emitting shape's light enters: by light samples, or carried by the pencil maps.
 enum class LightForm { samples, maps };
 

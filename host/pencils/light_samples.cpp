@@ -13,13 +13,6 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-struct Corners {
-    glm::dvec3 a, b, c;
-    double area() const { return 0.5 * glm::length(glm::cross(b - a, c - a)); }
-};
-
-Corners corners_of(const Triangle& t) { return {glm::dvec3(t.v0), glm::dvec3(t.v1), glm::dvec3(t.v2)}; }
-
 /// Barycentric coordinates of sample `k` of a triangle: threes of samples are one point and its two rotations among the corners. Their mean
 /// is the centre, so linear functions over the triangle are integrated exactly, and the distribution stays uniform.
 glm::dvec3 triangle_point(std::uint64_t k, const glm::dvec2& shift) {
@@ -29,9 +22,8 @@ glm::dvec3 triangle_point(std::uint64_t k, const glm::dvec2& shift) {
 }
 
 LightSample area_sample(const Triangle& t, const float4& plane, const glm::dvec3& radiance, double area, const glm::dvec3& b) {
-    const Corners p = corners_of(t);
     LightSample s{};
-    s.position = float4(glm::vec3(b.x * p.a + b.y * p.b + b.z * p.c), 1.0F);
+    s.position = float4(glm::vec3(b.x * glm::dvec3(t.v0) + b.y * glm::dvec3(t.v1) + b.z * glm::dvec3(t.v2)), 1.0F);
     s.normal = float4(glm::vec3(plane), static_cast<float>(area / pi));
     s.emission = float4(glm::vec3(radiance * area), static_cast<float>(t.plane));
     return s;
@@ -51,7 +43,7 @@ std::vector<ShapeTriangles> emitting_shapes(const Scene& scene, const FlatScene&
         if (!scene.shapes[shape].emits || forms[shape] != LightForm::samples || luminance(scene.shapes[shape].radiance) <= 0) continue;
         if (emitters.empty() || emitters.back().shape != shape) emitters.push_back({shape, 0, {}, {}});
         ShapeTriangles& e = emitters.back();
-        e.area += corners_of(t).area();
+        e.area += glm::length(area_vector(t));
         e.triangles.push_back(&t);
         e.up_to.push_back(e.area);
     }
@@ -119,7 +111,7 @@ std::vector<float> near_areas(const FlatScene& flat, const std::vector<LightSamp
     std::vector<float> areas(flat.materials.size(), std::numeric_limits<float>::infinity());
     for (const LightSample& s : samples) {
         if (s.position.w == 0.0F) continue;  // point lights have no surface
-        areas[static_cast<std::size_t>(material_of_plane[static_cast<std::size_t>(s.emission.w)])] = s.normal.w;
+        areas[static_cast<std::size_t>(material_of_plane[std::min(static_cast<std::size_t>(s.emission.w), material_of_plane.size() - 1)])] = s.normal.w;
     }
     return areas;
 }

@@ -49,10 +49,6 @@ private:
     std::vector<double> up_to_;
 };
 
-glm::dvec3 area_normal(const Triangle& t) {
-    return 0.5 * glm::cross(glm::dvec3(t.v1) - glm::dvec3(t.v0), glm::dvec3(t.v2) - glm::dvec3(t.v0));
-}
-
 /// Sides that reflect or emit: a two-sided triangle has twice the weight of a one-sided one, black walls have none.
 double sides(const FlatScene& flat, const Triangle& t) {
     const Material& m = flat.materials[static_cast<std::size_t>(t.material)];
@@ -72,7 +68,7 @@ bool leads_inwards(const FlatScene& flat, const ProbingRay& ray) {
 std::vector<ProbingRay> surface_rays(const FlatScene& flat, const ProbingStream& stream, int first, int count) {
     WeightedChoice bright, all;
     for (const Triangle& t : flat.triangles) {
-        const double area = glm::length(area_normal(t));
+        const double area = glm::length(area_vector(t));
         bright.add(area * sides(flat, t));
         all.add(area);
     }
@@ -87,7 +83,7 @@ std::vector<ProbingRay> surface_rays(const FlatScene& flat, const ProbingStream&
         const glm::dvec2 b = square_to_triangle({u.y, u.z});
         const glm::dvec3 v0(t.v0);
         const bool both = sides(flat, t) == 2, back = both && left >= 0.5;
-        ProbingRay ray{v0 + b.x * (glm::dvec3(t.v1) - v0) + b.y * (glm::dvec3(t.v2) - v0), glm::normalize(area_normal(t)), u.w};
+        ProbingRay ray{v0 + b.x * (glm::dvec3(t.v1) - v0) + b.y * (glm::dvec3(t.v2) - v0), glm::normalize(area_vector(t)), u.w};
         if (back) ray.direction = -ray.direction;
         if (both && !leads_inwards(flat, ray)) ray.direction = -ray.direction;
         ray.plane = t.plane;

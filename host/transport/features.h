@@ -14,7 +14,7 @@ struct Features {
     bool smooth = false;  // some triangle has vertex normals: interpolated shading normals
     Weights weights = Weights::dpdf;
     int cell_grid = 0;      // root of the greatest number of directions that sample Voronoi cells, 0 for other weights
-    bool bvh = false;       // the scene has a hierarchy: rays settle what geometry maps leave open
+    bool bvh = false;       // rays through the hierarchy decide visibility, geometry maps do not
     int film_samples = 16;  // visibility samples per pixel
 };
 

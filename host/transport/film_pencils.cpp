@@ -12,7 +12,7 @@ namespace {
 constexpr int single_map = 4;
 /// A level of the lattice that would have more points than this share of the pixels is left to single pencils: where so little reaches so
 /// little, neighbours do not help each other.
-constexpr double most_new = 0.5;
+constexpr double most_new = 0.2;
 
 }  // namespace
 
@@ -20,14 +20,13 @@ FilmPencils::FilmPencils(Kernels& kernels, const Film& film, const FilmLattice& 
     : kernels_(kernels),
       film_(film),
       lattice_(lattice),
-      finest_(lattice.finest),
       counts_(film.counts().read()),
       first_(film.first_surfel().read()),
       at_(counts_.size(), -1),
       pencil_at_(kernels.device(), at_, "film pencils by pixel"),
       pencils_(kernels.device(), 1, lattice.map),
       singles_(kernels.device(), 1, single_map),
-      single_at_(kernels.device(), static_cast<std::size_t>(film.surfels().capacity), "single film pencils by surfel") {
+      single_at_(kernels.device(), std::vector<int>(static_cast<std::size_t>(film.surfels().capacity), -1), "single film pencils by surfel") {
     std::vector<int> pixels;
     const int width = film.width(), height = film.height(), step = lattice.coarsest;
     for (int y = 0;; y = std::min(y + step, height - 1)) {
@@ -68,24 +67,23 @@ std::vector<unsigned char> FilmPencils::uncovered(int spacing) {
     return uncovered_.read(0, static_cast<std::size_t>(surfels.count));
 }
 
-/// Lattice points at half the spacing of all cells that hold uncovered surfels.
+/// New lattice points, at half the spacing, of all cells that hold uncovered surfels.
 std::vector<int> FilmPencils::finer_pixels(const std::vector<unsigned char>& uncovered, int spacing) const {
     const int width = film_.width(), height = film_.height(), half = spacing / 2;
-    std::vector<int> pixels;
-    std::vector<bool> done(counts_.size(), false);
+    std::vector<bool> wanted(counts_.size(), false);
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             const auto pixel = static_cast<std::size_t>(y * width + x);
-            const auto cell = static_cast<std::size_t>(y / spacing * spacing * width + x / spacing * spacing);
-            const auto first = uncovered.begin() + first_[pixel];
-            if (done[cell] || std::find(first, first + (counts_[pixel] & FILM_COUNT_MASK), 1) == first + (counts_[pixel] & FILM_COUNT_MASK))
-                continue;
-            done[cell] = true;
+            const auto first = uncovered.begin() + first_[pixel], last = first + (counts_[pixel] & FILM_COUNT_MASK);
+            if (std::find(first, last, 1) == last) continue;
             for (int dy = 0; dy <= 2; ++dy)
                 for (int dx = 0; dx <= 2; ++dx)
-                    pixels.push_back(std::min(y / spacing * spacing + dy * half, height - 1) * width +
-                                     std::min(x / spacing * spacing + dx * half, width - 1));
+                    wanted[static_cast<std::size_t>(std::min(y / spacing * spacing + dy * half, height - 1) * width +
+                                                    std::min(x / spacing * spacing + dx * half, width - 1))] = true;
         }
+    std::vector<int> pixels;
+    for (std::size_t p = 0; p < wanted.size(); ++p)
+        if (wanted[p] && at_[p] < 0) pixels.push_back(static_cast<int>(p));
     return pixels;
 }
 
@@ -95,7 +93,7 @@ void FilmPencils::refine(SurfaceSolver& solver) {
         gathered_ = pencils_.count;
     };
     gather();
-    for (int spacing = lattice_.coarsest; spacing > lattice_.finest && !solver.stopped(); spacing /= 2) {
+    for (int spacing = lattice_.coarsest; spacing > 1 && !solver.stopped(); spacing /= 2) {
         const std::vector<int> pixels = finer_pixels(uncovered(spacing), spacing);
         if (static_cast<double>(pixels.size()) > most_new * static_cast<double>(counts_.size())) {
             finest_ = spacing;
@@ -104,8 +102,8 @@ void FilmPencils::refine(SurfaceSolver& solver) {
         place(pixels, spacing / 2);
         gather();
     }
-    if (solver.stopped()) finest_ = lattice_.coarsest;
-    place_singles(solver.stopped() ? std::vector<unsigned char>(static_cast<std::size_t>(film_.surfels().count), 0) : uncovered(finest_));
+    if (solver.stopped()) return;
+    place_singles(uncovered(finest_));
     solver.gather(singles_, 0, singles_.count);
 }
 

@@ -7,7 +7,7 @@
 namespace pencil {
 
 struct FilmLattice {
-    int coarsest = 8, finest = 1;  // spacing [pixels]
+    int coarsest = 8;         // spacing [pixels]
     float most_error = 0.5F;       // reuse_error
     int map = 16;
     float smooth = 0.5F;
@@ -37,7 +37,7 @@ private:
     Kernels& kernels_;
     const Film& film_;
     FilmLattice lattice_;
-    int finest_;  // spacing that refine() went down to
+    int finest_ = 1;  // spacing that refine() went down to
     std::vector<unsigned char> counts_;
     std::vector<int> first_;
     std::vector<int> at_;

@@ -63,7 +63,7 @@ void Frame::make_lights(int count, int map, std::uint64_t seed) {
     if (context_.options.bounces == 0) return;  // emission only
     samples_ = sample_lights(context_.scene, context_.flat, context_.forms, count, seed);
     if (samples_.empty()) return;
-    lights_ = LightSet(context_.kernels.device(), samples_, map, !context_.kernels.features().bvh);
+    lights_ = LightSet(context_.kernels.device(), samples_, map);
     if (map > 0) make_geometry_maps(context_.kernels, context_.device_scene, lights_.maps, 0, lights_.maps.count);
 }
 

@@ -31,12 +31,12 @@ std::vector<float4> positions_of(const std::vector<LightSample>& samples) {
 }  // namespace
 
 GeometryMaps::GeometryMaps(const std::shared_ptr<Device>& device, const std::vector<float4>& positions, int tile_size,
-                           const std::string& what, bool with_groups)
+                           const std::string& what)
     : count(static_cast<int>(positions.size())),
       n(tile_size),
       cops(device, positions, what + " centres"),
       hits(device, atlas_texels(positions.size(), tile_size), what + " geometry maps"),
-      groups(device, with_groups ? atlas_texels(positions.size(), tile_size) : 1, what + " footprint groups"),
+      groups(device, atlas_texels(positions.size(), tile_size), what + " footprint groups"),
       cells(device, atlas_texels(positions.size(), tile_size), what + " footprint cells") {}
 
 void GeometryMaps::copy_tile(const GeometryMaps& other, int source, int target) {
@@ -50,7 +50,7 @@ void GeometryMaps::copy_tile(const GeometryMaps& other, int source, int target) 
 PencilSet::PencilSet(const std::shared_ptr<Device>& device, std::shared_ptr<GeometryMaps> geometry)
     : maps(std::move(geometry)), radiance(device, atlas_texels(static_cast<std::size_t>(maps->count), maps->n), "pencil radiance maps") {}
 
-LightSet::LightSet(const std::shared_ptr<Device>& device, const std::vector<LightSample>& light_samples, int tile_size, bool with_groups)
-    : samples(device, light_samples, "light samples"), maps(device, positions_of(light_samples), tile_size, "light sample", with_groups) {}
+LightSet::LightSet(const std::shared_ptr<Device>& device, const std::vector<LightSample>& light_samples, int tile_size)
+    : samples(device, light_samples, "light samples"), maps(device, positions_of(light_samples), tile_size, "light sample") {}
 
 }  // namespace pencil

@@ -16,9 +16,8 @@ namespace pencil {
 /// Geometry maps: what every texel of every tile sees.
 struct GeometryMaps {
     GeometryMaps() = default;
-    /// `with_groups`: false where rays settle what the cells leave open.
-    GeometryMaps(const std::shared_ptr<Device>& device, const std::vector<float4>& positions, int tile_size, const std::string& what,
-                 bool with_groups = true);
+    /// `tile_size` 0: centres without maps, for rays.
+    GeometryMaps(const std::shared_ptr<Device>& device, const std::vector<float4>& positions, int tile_size, const std::string& what);
 
     /// Copies one tile of maps of the same size.
     void copy_tile(const GeometryMaps& other, int source, int target);
@@ -43,7 +42,7 @@ struct PencilSet {
 /// Light samples with their geometry maps.
 struct LightSet {
     LightSet() = default;
-    LightSet(const std::shared_ptr<Device>& device, const std::vector<LightSample>& light_samples, int tile_size, bool with_groups = true);
+    LightSet(const std::shared_ptr<Device>& device, const std::vector<LightSample>& light_samples, int tile_size);
 
     Buffer<LightSample> samples;
     GeometryMaps maps;

@@ -100,12 +100,19 @@ private:
         double spent = seconds();
         for (int index = 0;; ++index) {
             const SurfacePass pass = surface_pass(index, context_.options, context_.flat.camera, emitters());
-            Frame frame(context_, index == 0 ? aovs_ : light_layers(aovs_), pass.light_samples, 0,
-                        seed + static_cast<std::uint64_t>(index));
-            const bool lit = add_direct(frame);
-            if (lit) add_surface_bounces(context_, pass, frame, seed + static_cast<std::uint64_t>(index));
-            if (index > 0 && context_.clock.stopped()) break;  // half a pass is worth nothing beside whole ones
-            mean.add(frame.take_layers(), pass.weight);
+            bool lit = false;
+            try {
+                Frame frame(context_, index == 0 ? aovs_ : light_layers(aovs_), pass.light_samples, 0,
+                            seed + static_cast<std::uint64_t>(index));
+                lit = add_direct(frame);
+                if (lit) add_surface_bounces(context_, pass, frame, seed + static_cast<std::uint64_t>(index));
+                if (index > 0 && context_.clock.stopped()) break;  // half a pass is worth nothing beside whole ones
+                mean.add(frame.take_layers(), pass.weight);
+            } catch (const MemoryError& error) {
+                if (mean.count() == 0) throw;
+                context_.stats.warnings.push_back("stopped after " + std::to_string(mean.count()) + " passes: " + error.what());
+                break;
+            }
             const double now = seconds();
             if (!lit || context_.clock.stopped() || enough(mean, index, (now - spent) / pass.work)) break;
             spent = now;

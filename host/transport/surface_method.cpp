@@ -57,12 +57,12 @@ void add_surface_bounces(RenderContext& context, const SurfacePass& pass, Frame&
     const auto& device = context.kernels.device();
     const std::vector<LightSample> samples =
         sample_lights(context.scene, context.flat, context.forms, pass.texel_light_samples, hash64(seed + 1));
-    const SurfaceLights lights{samples.empty() ? LightSet() : LightSet(device, samples, 0, false),
+    const SurfaceLights lights{samples.empty() ? LightSet() : LightSet(device, samples, 0),
                                Buffer<float>(device, near_areas(context.flat, frame.light_samples()), "near areas of emitters"),
                                Buffer<float>(device, near_areas(context.flat, samples), "near areas of emitters")};
     SurfaceSolver solver(context.kernels, context.device_scene, context.flat, lights, pass.world, context.clock, seed);
     const int spacing = seed_spacing * coarsest_spacing(context.flat.camera);
-    FilmPencils seeds(context.kernels, frame.film(), {spacing, spacing, 0.0F, film_map, 0.0F});
+    FilmPencils seeds(context.kernels, frame.film(), {spacing, 0.0F, film_map, 0.0F});
     solver.solve(seeds.pencils(), context.options.bounces, context.options.tolerance);
     if (context.clock.stopped()) return;
     FilmPencils film(context.kernels, frame.film(), pass.lattice);

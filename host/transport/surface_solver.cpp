@@ -1,8 +1,10 @@
 #include "transport/surface_solver.h"
 
 #include <algorithm>
+#include <glm/gtx/component_wise.hpp>
 
 #include "pencils/low_discrepancy.h"
+#include "transport/bounce_series.h"
 #include "transport/light_surfels.h"
 
 namespace pencil {
@@ -16,12 +18,10 @@ constexpr int most_iterations = 512;
 constexpr int most_candidates = 64;
 /// The world's bounces stop at this share of the tolerance of the image.
 constexpr double tolerance_share = 0.1;
-/// Keeps the tail finite at any albedo, as in line projection.
-constexpr double largest_ratio = 0.999;
 
-double power(const std::vector<float4>& irradiance) {
-    double sum = 0;
-    for (const float4& e : irradiance) sum += static_cast<double>(e.x + e.y + e.z);
+glm::dvec3 power(const std::vector<float4>& irradiance) {
+    glm::dvec3 sum(0);
+    for (const float4& e : irradiance) sum += glm::dvec3(e);
     return sum;
 }
 
@@ -98,7 +98,8 @@ void SurfaceSolver::iterate(int orders, double tolerance) {
     const std::vector<float4> lit = lights_.samples.maps.count > 0 && orders != 2 ? irradiance(false, true) : dark;
     Buffer<float4> source(device, emitted, "irradiance"), target(device, dark, "irradiance"),
         total(device, emitted, "irradiance of all bounces");
-    double sum = power(emitted), last = sum, ratio = 0;
+    BounceSeries series;
+    series.add(power(emitted));
     for (int k = 1; k < most_iterations && (orders < 0 || k + 2 <= orders); ++k) {
         target.fill_zero();
         if (k == 1) target.write(lit);
@@ -107,18 +108,16 @@ void SurfaceSolver::iterate(int orders, double tolerance) {
                   world_.pencils().n, source, target, total)
             .run(static_cast<std::size_t>(count), "transport irradiance", 8);
         std::swap(source, target);
-        const double step = power(source.read());
-        ratio = last > 0 ? std::min(step / last, largest_ratio) : 0;
-        last = step;
-        sum += last;
-        if (orders < 0 && k >= 2 && last <= tolerance * tolerance_share * sum) break;
+        // The series begins where all light has joined it.
+        if (k == 1) series = {};
+        series.add(power(source.read()));
+        if (orders < 0 && k >= 3 && series.last_share() <= tolerance * tolerance_share) break;
     }
-    // The rest of the series, as if its terms went on falling in the last ratio.
-    const float tail = orders < 0 ? static_cast<float>(ratio / (1.0 - ratio)) : 0.0F;
-    residual_ = sum > 0 ? static_cast<double>(tail) * last / sum : 0;
+    const glm::vec3 tail = orders < 0 ? glm::vec3(series.tail_factor()) : glm::vec3(0);
+    residual_ = glm::compMax(glm::dvec3(tail)) * series.last_share();
     std::vector<SurfacePencil> pencils = world_.pencils().data.read(0, static_cast<std::size_t>(count));
     const std::vector<float4> all = total.read(), rest = source.read();
-    for (std::size_t i = 0; i < pencils.size(); ++i) pencils[i].irradiance = all[i] + tail * rest[i];
+    for (std::size_t i = 0; i < pencils.size(); ++i) pencils[i].irradiance = all[i] + float4(tail, 0) * rest[i];
     world_.pencils().data.write(pencils);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace pencil {
 
@@ -19,13 +20,9 @@ constexpr int world_map = 8;
 /// Spacing of the pencils that fill what none reaches, relative to the others.
 constexpr float fill_spacing = 0.25F;
 
-double reflecting_area(const FlatScene& flat) {
-    double area = 0;
-    for (const Triangle& t : flat.triangles) {
-        const glm::dvec3 a(t.v0), b(t.v1), c(t.v2);
-        area += 0.5 * glm::length(glm::cross(b - a, c - a));
-    }
-    return area;
+double surface_area(const FlatScene& flat) {
+    return std::accumulate(flat.triangles.begin(), flat.triangles.end(), 0.0,
+                           [](double sum, const Triangle& t) { return sum + glm::length(area_vector(t)); });
 }
 
 }  // namespace
@@ -36,7 +33,7 @@ WorldSet::WorldSet(Kernels& kernels, const DeviceScene& scene, const FlatScene& 
       flat_(flat),
       wish_(wish),
       seed_(seed),
-      spacing_(static_cast<float>(std::sqrt(0.7 * reflecting_area(flat) / wish))),
+      spacing_(static_cast<float>(std::sqrt(0.7 * surface_area(flat) / wish))),
       pencils_(kernels.device(), wish, world_map),
       surfels_(kernels.device(), wish * world_map * world_map, "surfels of the world set") {
     surfels_.count = 0;

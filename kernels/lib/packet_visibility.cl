@@ -1,7 +1,7 @@
 // Visibility of packets of surfels from one centre, by the rules of visibility.cl. Cells settle most lanes; what they leave open is settled
 // for all lanes at once that share a blocker, then for all lanes at once that share the triangles about their footprints: neighbouring
-// lanes mostly do. Sets of lanes are bits of an int here. With PENCIL_BVH rays settle what cells and planes leave
-// open, exactly; where there are no maps (n = 0), everything. Needs packet.cl, surfel_packet.cl, footprint.cl, visibility.cl, bvh.cl.
+// lanes mostly do. Sets of lanes are bits of an int here. With PENCIL_BVH there are no maps: rays through the
+// hierarchy settle everything, exactly. Needs packet.cl, surfel_packet.cl, footprint.cl, visibility.cl, bvh.cl.
 
 /// A shadow ray passes planes that its surfel is beyond by less than this: rounding of positions [scene units].
 #define SHADOW_TOLERANCE 1e-7f
@@ -16,7 +16,7 @@ typedef struct Aimed {
 
 /// Footprints in `tile` of the directions v. Neighbouring lanes mostly share the cache line of their cells.
 inline void aim_packet(const VisibilityMap *map, int tile, vfloat vx, vfloat vy, vfloat vz, Aimed *aimed) {
-    if (PENCIL_BVH && map->n == 0) return;
+    if (PENCIL_BVH) return;
     aimed->f = packet_footprint(vx, vy, vz, map->n);
     aimed->f.index += tile * PENCIL_TILE_TEXELS(map->n);
 #pragma unroll
@@ -154,14 +154,13 @@ inline int settle_by_planes(const SurfelPacket *s, const VisibilityMap *map, con
         unsettled |= alike & behind & ~filled_lanes;
         rest &= ~alike;
     }
-    if (!unsettled) return seen;
-    return seen | (PENCIL_BVH ? settle_by_rays(s, map, cop, unsettled) : settle_by_triangles(s, map, f, tile, cop, unsettled));
+    return unsettled ? seen | settle_by_triangles(s, map, f, tile, cop, unsettled) : seen;
 }
 
 /// Lanes of an aimed packet that are seen from `cop`, the centre of `tile`.
 inline int packet_visible(const SurfelPacket *s, const VisibilityMap *map, const Aimed *aimed, int tile, float4 cop) {
     if (!aimed->faces) return 0;
-    if (PENCIL_BVH && map->n == 0) return settle_by_rays(s, map, cop, aimed->faces);
+    if (PENCIL_BVH) return settle_by_rays(s, map, cop, aimed->faces);
     int cells[2 * PENCIL_WIDTH];
 #pragma unroll
     for (int l = 0; l < PENCIL_WIDTH; ++l) vstore2(map->cells[LANE_INT(aimed->f.index, l)], l, cells);

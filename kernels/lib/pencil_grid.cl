@@ -22,25 +22,18 @@ inline void insert_link(PencilLinks *links, int index, float weight) {
         }
 }
 
-/// Entries of one block within whose radius x lies and that face the same way.
-inline vint block_reaches(global const float *block, float3 x, float3 n, vfloat *distance, vfloat *cosine) {
+/// Entries of one block within whose radius x lies and that face the same way; `level`: those of them on whose surface x lies.
+inline int block_reaches(global const float *block, float3 x, float3 n, vfloat *distance, vfloat *cosine, int *level) {
     vfloat sx = x.x - PACKET_LOAD(block + ENTRY_X * PENCIL_WIDTH), sy = x.y - PACKET_LOAD(block + ENTRY_Y * PENCIL_WIDTH),
            sz = x.z - PACKET_LOAD(block + ENTRY_Z * PENCIL_WIDTH);
     vfloat nx = PACKET_LOAD(block + ENTRY_NX * PENCIL_WIDTH), ny = PACKET_LOAD(block + ENTRY_NY * PENCIL_WIDTH),
            nz = PACKET_LOAD(block + ENTRY_NZ * PENCIL_WIDTH);
-    vfloat radius = PACKET_LOAD(block + ENTRY_RADIUS * PENCIL_WIDTH);
     *distance = sqrt(fma(sx, sx, fma(sy, sy, sz * sz)));
     *cosine = fma(nx, (vfloat)(n.x), fma(ny, (vfloat)(n.y), nz * n.z));
-    return PACKET_MASK(*distance < radius) & PACKET_MASK(*cosine >= REUSE_LEAST_COSINE);
-}
-
-/// Those of them on whose surface x lies.
-inline vint block_level(global const float *block, float3 x, float3 n, vfloat distance) {
-    vfloat sx = x.x - PACKET_LOAD(block + ENTRY_X * PENCIL_WIDTH), sy = x.y - PACKET_LOAD(block + ENTRY_Y * PENCIL_WIDTH),
-           sz = x.z - PACKET_LOAD(block + ENTRY_Z * PENCIL_WIDTH);
-    vfloat nx = n.x + PACKET_LOAD(block + ENTRY_NX * PENCIL_WIDTH), ny = n.y + PACKET_LOAD(block + ENTRY_NY * PENCIL_WIDTH),
-           nz = n.z + PACKET_LOAD(block + ENTRY_NZ * PENCIL_WIDTH);
-    return PACKET_MASK(fabs(fma(sx, nx, fma(sy, ny, sz * nz))) <= 2.0f * REUSE_MOST_SLOPE * distance + REUSE_TINY);
+    vfloat rise = fma(sx, nx + n.x, fma(sy, ny + n.y, sz * (nz + n.z)));
+    vint reaches = PACKET_MASK(*distance < PACKET_LOAD(block + ENTRY_RADIUS * PENCIL_WIDTH)) & PACKET_MASK(*cosine >= REUSE_LEAST_COSINE);
+    *level = PACKET_BITS(reaches & PACKET_MASK(fabs(rise) <= 2.0f * REUSE_MOST_SLOPE * *distance + REUSE_TINY));
+    return PACKET_BITS(reaches);
 }
 
 inline PencilLinks nearest_pencils(global const SurfacePencil *pencils, PencilGrid grid, global const int *starts,
@@ -55,8 +48,7 @@ inline PencilLinks nearest_pencils(global const SurfacePencil *pencils, PencilGr
         global const float *block = entries + (size_t)e * (ENTRY_FIELDS * PENCIL_WIDTH);
         global const int *index = (global const int *)(block + ENTRY_PENCIL * PENCIL_WIDTH);
         vfloat distance, cosine;
-        vint reaches = block_reaches(block, x, n, &distance, &cosine);
-        int reached = PACKET_BITS(reaches), level = reached ? PACKET_BITS(reaches & block_level(block, x, n, distance)) : 0;
+        int level, reached = block_reaches(block, x, n, &distance, &cosine, &level);
         vfloat closeness = fmax(1.0f - distance / PACKET_LOAD(block + ENTRY_RADIUS * PENCIL_WIDTH), (vfloat)(0.0f));
         vfloat weight = closeness * closeness * cosine;
         for (int bits = level; bits; bits &= bits - 1) {

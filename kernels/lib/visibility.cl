@@ -14,8 +14,8 @@ typedef struct VisibilityMap {
     global const Hit *hits;
     global const Triangle *triangles;
     global const float4 *planes;
-    int n;                        // 0: no maps, only the hierarchy
-    global const BvhNode *nodes;  // null unless PENCIL_BVH
+    int n;
+    global const BvhNode *nodes;  // with PENCIL_BVH, and then only these and the scene
     global const int *leaves;
 } VisibilityMap;
 

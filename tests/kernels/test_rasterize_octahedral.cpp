@@ -134,24 +134,4 @@ TEST(RasterizeOctahedral, MeshWithoutGaps) {
     EXPECT_EQ(c.wrong, 0) << c.first_wrong;
 }
 
-TEST(RasterizeOctahedral, RangesOfTilesLeaveOthersAlone) {
-    Random random(19);
-    const TestScene scene = soup_scene(20, 30);
-    const std::vector<float4> centres = random_centres(random, 7);
-    Kernels kernels = make_kernels();
-    const DeviceScene on_device(device(), scene.flat);
-    const int n = 8;
-    const std::vector<Hit> all = rasterized(kernels, on_device, centres, n).hits.read();
-    GeometryMaps maps(device(), centres, n, "test");
-    maps.hits.write(std::vector<Hit>(maps.hits.size(), Hit{-7, -7.0F}));
-    rasterize_octahedral(kernels, on_device, maps, 2, 3);
-    const std::vector<Hit> part = maps.hits.read();
-    const std::size_t tile = PENCIL_TILE_TEXELS(n);
-    for (std::size_t i = 0; i < part.size(); ++i) {
-        const bool inside = i >= 2 * tile && i < 5 * tile;
-        ASSERT_EQ(part[i].triangle, inside ? all[i].triangle : -7) << "texel " << i;
-        ASSERT_EQ(part[i].disparity, inside ? all[i].disparity : -7.0F) << "texel " << i;
-    }
-}
-
 }  // namespace

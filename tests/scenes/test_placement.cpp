@@ -288,13 +288,18 @@ TEST_P(EveryPlacement, SeedAndSetDecideTheCentres) {
     for (std::size_t i = 0; i < 24; ++i) EXPECT_GT(glm::distance(first[i], second[i]), 1e-6) << "a new shift for each set";
 }
 
-TEST_P(EveryPlacement, TheFurnaceIsExact) {
+RenderOptions small(const std::vector<Placement>& placement, Initial initial) {
     RenderOptions options;
-    options.placement = GetParam();
-    options.initial = Initial::emission;
+    options.placement = placement;
+    options.initial = initial;
     options.pencils = 48;
     options.map = 32;
     options.film_samples = 4;
+    return options;
+}
+
+TEST_P(EveryPlacement, TheFurnaceIsExact) {
+    RenderOptions options = small(GetParam(), Initial::emission);
     options.tolerance = 1e-4;
     expect_uniform(layer(render_layers(furnace(0.5F), options), ""), 2.0, 1e-3);
 }
@@ -308,13 +313,8 @@ double mean_of(const Layer& image) {
 constexpr double near_leak = 1e-6;
 
 TEST_P(EveryPlacement, NoLightPassesAPartition) {
-    RenderOptions options;
-    options.placement = GetParam();
-    options.initial = Initial::direct;
-    options.pencils = 48;
-    options.map = 32;
+    RenderOptions options = small(GetParam(), Initial::direct);
     options.bounces = 3;
-    options.film_samples = 4;
     const auto& mixture = GetParam();
     const bool near = std::find(mixture.begin(), mixture.end(), Placement::near_surface) != mixture.end();
     for (const double thickness : {0.1, 0.004}) {
