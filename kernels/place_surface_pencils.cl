@@ -5,11 +5,11 @@
 #define PLACE_SHARE 1e-2f
 
 /// launch : 1-D, one work-item per new pencil
-/// in     : surfels; chosen[count]: the surfel of each pencil; viewers[count]: where that surfel was seen from; radius [scene units]
+/// in     : surfels; chosen[count]: the surfel of each pencil; keys[count]: its key; viewers[count]: where that surfel was seen from; radius [scene units]
 /// out    : pencils[first ..]: position, normal, facing, plane; the rest is 0 until they are traced and summed
 /// A pencil lies a little nearer to its viewer than the surfel: where two walls meet, it must lie on the side of the second wall that was
 /// seen.
-kernel void place_surface_pencils(global const float *surfels, int capacity, global const int *chosen, global const float4 *viewers,
+kernel void place_surface_pencils(global const float *surfels, int capacity, global const int *chosen, global const uint *keys, global const float4 *viewers,
                                   int count, float radius, float spacing, int first, global SurfacePencil *pencils) {
     int item = get_global_id(0);
     if (item >= count) return;
@@ -23,4 +23,5 @@ kernel void place_surface_pencils(global const float *surfels, int capacity, glo
     pencil->irradiance = (float4)(0.0f);
     for (int k = 0; k < 2 * RING_SECTORS; ++k) pencil->horizon_x[k] = pencil->horizon_y[k] = 0.0f;
     pencil->plane = as_int(s[SURFEL_PLANE * c]);
+    pencil->key = keys[item];
 }

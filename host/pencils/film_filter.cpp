@@ -8,12 +8,13 @@
 
 namespace pencil {
 
-std::vector<glm::vec2> film_sample_offsets(int samples, std::uint64_t seed) {
+std::vector<glm::vec2> film_sample_offsets(int samples, std::uint64_t seed, std::uint64_t turn) {
     const glm::dvec2 shift(random_unit(seed, 101, 0), random_unit(seed, 102, 0));
     std::vector<glm::vec2> offsets;
     offsets.reserve(static_cast<std::size_t>(samples));
-    for (int i = 0; i < samples; ++i)
-        offsets.emplace_back(glm::min(glm::vec2(r2_sequence(static_cast<std::uint64_t>(i), shift)), glm::vec2(0.99999994F)));
+    const auto count = static_cast<std::uint64_t>(samples);
+    for (std::uint64_t i = turn * count; i < (turn + 1) * count; ++i)
+        offsets.emplace_back(glm::min(glm::vec2(r2_sequence(i, shift)), glm::vec2(0.99999994F)));
     return offsets;
 }
 

@@ -9,7 +9,7 @@
 namespace pencil {
 
 /// Positions of the samples inside a pixel, in [0, 1)^2.
-std::vector<glm::vec2> film_sample_offsets(int samples, std::uint64_t seed);
+std::vector<glm::vec2> film_sample_offsets(int samples, std::uint64_t seed, std::uint64_t turn = 0);
 
 struct FilterTable {
     int reach = 0;               // neighbours on each side

@@ -12,6 +12,7 @@ namespace pencil {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
+constexpr double golden_ratio = 1.61803398874989484820;
 
 /// Barycentric coordinates of sample `k` of a triangle: threes of samples are one point and its two rotations among the corners. Their mean
 /// is the centre, so linear functions over the triangle are integrated exactly, and the distribution stays uniform.
@@ -50,22 +51,30 @@ std::vector<ShapeTriangles> emitting_shapes(const Scene& scene, const FlatScene&
     return emitters;
 }
 
-/// Systematic in the area, so that each triangle gets its share to within one sample; low-discrepancy within the triangles.
-void sample_shape(const ShapeTriangles& e, const FlatScene& flat, const glm::dvec3& radiance, long own, std::uint64_t seed,
+/// Samples of one shape: `count` after `before`.
+struct SampleRange {
+    long count;
+    double before;
+};
+
+/// Systematic in the area, so that each triangle gets its share to within one sample; low-discrepancy within the triangles and from one set
+/// to the next.
+void sample_shape(const ShapeTriangles& e, const FlatScene& flat, const glm::dvec3& radiance, const SampleRange& own, std::uint64_t seed,
                   std::vector<LightSample>& samples) {
-    const double start = random_unit(seed, 2, 0);
+    const double start = fraction(random_unit(seed, 2, 0) + own.before * golden_ratio), step = e.area / static_cast<double>(own.count);
+    // Threes stay together: what earlier sets used of a triangle is rounded up to them.
+    const auto used = [&](std::size_t t) {
+        const double share = (e.up_to[t] - (t > 0 ? e.up_to[t - 1] : 0.0)) / e.area;
+        return 3 * static_cast<std::uint64_t>(std::ceil(own.before * share / 3.0));
+    };
     std::size_t triangle = 0;
-    std::uint64_t within = 0;
-    for (long k = 0; k < own; ++k, ++within) {
-        const double at = (static_cast<double>(k) + start) / static_cast<double>(own) * e.area;
-        while (triangle + 1 < e.up_to.size() && e.up_to[triangle] <= at) {
-            ++triangle;
-            within = 0;
-        }
+    std::uint64_t within = used(0);
+    for (long k = 0; k < own.count; ++k, ++within) {
+        const double at = (static_cast<double>(k) + start) * step;
+        while (triangle + 1 < e.up_to.size() && e.up_to[triangle] <= at) within = used(++triangle);
         const Triangle& t = *e.triangles[triangle];
         const glm::dvec2 shift(random_unit(seed, 0, triangle), random_unit(seed, 1, triangle));
-        samples.push_back(area_sample(t, flat.planes[static_cast<std::size_t>(t.plane)], radiance, e.area / static_cast<double>(own),
-                                      triangle_point(within, shift)));
+        samples.push_back(area_sample(t, flat.planes[static_cast<std::size_t>(t.plane)], radiance, step, triangle_point(within, shift)));
     }
 }
 
@@ -83,7 +92,7 @@ std::vector<LightForm> choose_light_forms(const Scene& scene, bool all_samples, 
 }
 
 std::vector<LightSample> sample_lights(const Scene& scene, const FlatScene& flat, const std::vector<LightForm>& forms, int count,
-                                       std::uint64_t seed) {
+                                       std::uint64_t seed, std::uint64_t before) {
     std::vector<LightSample> samples;
     const double scale = flat.normalisation.scale;
     for (const PointLight& light : scene.point_lights) {
@@ -100,7 +109,7 @@ std::vector<LightSample> sample_lights(const Scene& scene, const FlatScene& flat
         const glm::dvec3 radiance(scene.shapes[e.shape].radiance);
         const double share = e.area * luminance(scene.shapes[e.shape].radiance) / total;
         const long own = std::max(std::lround(share * count), 1L);
-        sample_shape(e, flat, radiance, own, hash64(seed) ^ e.shape, samples);
+        sample_shape(e, flat, radiance, {own, share * static_cast<double>(before)}, hash64(seed) ^ e.shape, samples);
     }
     return samples;
 }

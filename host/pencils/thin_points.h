@@ -1,4 +1,4 @@
-// Thins points on surfaces to a minimum spacing: Poisson-disc sampling by dart throwing, with a hash of cells.
+// Thins points on surfaces to minimum spacings: Poisson-disc sampling by dart throwing, with a hash of cells.
 #pragma once
 
 #include <cmath>
@@ -12,16 +12,18 @@ namespace pencil {
 
 class PointThinner {
 public:
-    /// Points nearer than `spacing` whose normals have at least the cosine `alike` exclude each other.
-    PointThinner(float spacing, float alike) : spacing_(spacing), alike_(alike) {}
+    /// Kept points exclude points near them whose normals have at least the cosine `alike`; `most`: the largest spacing.
+    PointThinner(float most, float alike) : most_(most), alike_(alike) {}
 
-    /// Keeps the point unless one that was kept excludes it; true if it is kept.
-    bool add(const glm::vec3& position, const glm::vec3& normal) {
-        const glm::ivec3 cell(glm::floor(position / spacing_));
-        for (int dz = -1; dz <= 1; ++dz)
-            for (int dy = -1; dy <= 1; ++dy)
-                for (int dx = -1; dx <= 1; ++dx)
-                    if (excluded(key(cell + glm::ivec3(dx, dy, dz)), position, normal)) return false;
+    /// Keeps the point unless one that was kept within `spacing` excludes it; true if it is kept.
+    bool add(const glm::vec3& position, const glm::vec3& normal, float spacing) {
+        const glm::ivec3 cell(glm::floor(position / most_));
+        if (excluded(key(cell), position, normal, spacing)) return false;  // most are, and cheaply
+        const glm::ivec3 low(glm::floor((position - spacing) / most_)), high(glm::floor((position + spacing) / most_));
+        for (int z = low.z; z <= high.z; ++z)
+            for (int y = low.y; y <= high.y; ++y)
+                for (int x = low.x; x <= high.x; ++x)
+                    if (glm::ivec3(x, y, z) != cell && excluded(key({x, y, z}), position, normal, spacing)) return false;
         const auto [head, added] = heads_.try_emplace(key(cell), -1);
         points_.push_back({position, normal, head->second});
         head->second = static_cast<int>(points_.size()) - 1;
@@ -40,18 +42,18 @@ private:
         return bits(cell.x) << 42 | bits(cell.y) << 21 | bits(cell.z);
     }
 
-    bool excluded(std::uint64_t cell, const glm::vec3& position, const glm::vec3& normal) const {
+    bool excluded(std::uint64_t cell, const glm::vec3& position, const glm::vec3& normal, float spacing) const {
         const auto head = heads_.find(cell);
         if (head == heads_.end()) return false;
         for (int i = head->second; i >= 0; i = points_[static_cast<std::size_t>(i)].next) {
             const Point& p = points_[static_cast<std::size_t>(i)];
             const glm::vec3 step = p.position - position;
-            if (glm::dot(step, step) < spacing_ * spacing_ && glm::dot(p.normal, normal) > alike_) return true;
+            if (glm::dot(step, step) < spacing * spacing && glm::dot(p.normal, normal) > alike_) return true;
         }
         return false;
     }
 
-    float spacing_, alike_;
+    float most_, alike_;
     std::unordered_map<std::uint64_t, int> heads_;
     std::vector<Point> points_;
 };

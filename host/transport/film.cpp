@@ -32,10 +32,12 @@ double film_bytes(double pixels, int samples) {
     return pixels * (samples + 1 + 4 + surfels_per_pixel * 4 * (SURFEL_FIELDS + 3 * layers_held) + 3 * 4);
 }
 
-Film::Film(Kernels& kernels, const DeviceScene& scene, const Camera& camera, const ReconstructionFilter& filter, std::uint64_t seed)
-    : camera_(camera), samples_(kernels.features().film_samples), strip_rows_(rows_per_strip(camera, samples_)) {
+Film::Film(Kernels& kernels, const DeviceScene& scene, const Camera& camera, const ReconstructionFilter& filter, const Turn& turn)
+    : camera_(camera),
+      samples_(kernels.features().film_samples),
+      strip_rows_(rows_per_strip(camera, samples_)) {
     const auto& device = kernels.device();
-    const std::vector<glm::vec2> offsets = film_sample_offsets(samples_, seed);
+    const std::vector<glm::vec2> offsets = film_sample_offsets(samples_, turn.seed, turn.index);
     const FilterTable table = tabulate_filter(filter, offsets);
     reach_ = table.reach;
     offsets_ = Buffer<glm::vec2>(device, offsets, "film sample offsets");

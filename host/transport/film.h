@@ -7,13 +7,14 @@
 #include "transport/device_scene.h"
 #include "transport/features.h"
 #include "transport/surfels.h"
+#include "transport/turn.h"
 
 namespace pencil {
 
 class Film {
 public:
     /// Rasterises the scene for the camera and makes the surfels (launchers of rasterize_film, classify_film, film_surfels).
-    Film(Kernels& kernels, const DeviceScene& scene, const Camera& camera, const ReconstructionFilter& filter, std::uint64_t seed);
+    Film(Kernels& kernels, const DeviceScene& scene, const Camera& camera, const ReconstructionFilter& filter, const Turn& turn);
 
     const Surfels& surfels() const { return surfels_; }
     const Buffer<unsigned char>& counts() const { return counts_; }    // per pixel: surfels and FILM_HAS_EMPTY

@@ -41,16 +41,15 @@ FilmPencils::FilmPencils(Kernels& kernels, const Film& film, const FilmLattice& 
 
 /// Pencils on the first surface of each pixel; pixels that show nothing or have one already get none.
 void FilmPencils::place(const std::vector<int>& pixels, int spacing) {
-    std::vector<int> chosen;
+    ChosenSurfels chosen;
     int next = pencils_.count;
     for (int pixel : pixels) {
         const auto p = static_cast<std::size_t>(pixel);
         if (at_[p] >= 0 || (counts_[p] & FILM_COUNT_MASK) == 0) continue;
         at_[p] = next++;
-        chosen.push_back(first_[p]);
+        chosen.add(first_[p], static_cast<uint>(pixel), film_.eye());
     }
-    place_surface_pencils(kernels_, film_.surfels(), chosen, std::vector<float4>(chosen.size(), film_.eye()), 0.0F, pencils_,
-                          static_cast<float>(spacing));
+    place_surface_pencils(kernels_, film_.surfels(), chosen, 0.0F, pencils_, static_cast<float>(spacing));
     pencil_at_.write(at_);
 }
 
@@ -87,9 +86,9 @@ std::vector<int> FilmPencils::finer_pixels(const std::vector<unsigned char>& unc
     return pixels;
 }
 
-void FilmPencils::refine(SurfaceSolver& solver) {
+void FilmPencils::refine(SurfaceSolver& solver, const TexelPoints& points) {
     const auto gather = [&] {
-        solver.gather(pencils_, gathered_, pencils_.count - gathered_);
+        solver.gather(pencils_, gathered_, pencils_.count - gathered_, points);
         gathered_ = pencils_.count;
     };
     gather();
@@ -104,18 +103,21 @@ void FilmPencils::refine(SurfaceSolver& solver) {
     }
     if (solver.stopped()) return;
     place_singles(uncovered(finest_));
-    solver.gather(singles_, 0, singles_.count);
+    solver.gather(singles_, 0, singles_.count, points);
 }
 
 /// A pencil for each uncovered surfel: at silhouettes, in creases and on small things.
 void FilmPencils::place_singles(const std::vector<unsigned char>& uncovered) {
-    std::vector<int> chosen, at(uncovered.size(), -1);
-    for (std::size_t i = 0; i < uncovered.size(); ++i)
-        if (uncovered[i]) {
-            at[i] = static_cast<int>(chosen.size());
-            chosen.push_back(static_cast<int>(i));
+    ChosenSurfels chosen;
+    std::vector<int> at(uncovered.size(), -1);
+    for (std::size_t pixel = 0; pixel < counts_.size(); ++pixel)
+        for (int k = 0; k < (counts_[pixel] & FILM_COUNT_MASK); ++k) {
+            const int i = first_[pixel] + k;
+            if (!uncovered[static_cast<std::size_t>(i)]) continue;
+            at[static_cast<std::size_t>(i)] = static_cast<int>(chosen.surfels.size());
+            chosen.add(i, static_cast<uint>(pixel + static_cast<std::size_t>(k + 1) * counts_.size()), film_.eye());
         }
-    place_surface_pencils(kernels_, film_.surfels(), chosen, std::vector<float4>(chosen.size(), film_.eye()), 0.0F, singles_);
+    place_surface_pencils(kernels_, film_.surfels(), chosen, 0.0F, singles_);
     single_at_.write(at);
 }
 

@@ -21,7 +21,7 @@ public:
     SurfacePencils& pencils() { return pencils_; }
 
     /// Gathers, refines, gathers.
-    void refine(SurfaceSolver& solver);
+    void refine(SurfaceSolver& solver, const TexelPoints& points);
 
     int count() const { return pencils_.count + singles_.count; }
 

@@ -49,19 +49,19 @@ RenderContext::RenderContext(const Scene& scene_to_render, const RenderOptions& 
     for (std::size_t i = 0; i < forms.size(); ++i) maps_emit = maps_emit || (scene.shapes[i].emits && forms[i] == LightForm::maps);
 }
 
-Frame::Frame(RenderContext& context, const std::vector<std::string>& aovs, int light_samples, int light_map, std::uint64_t seed)
+Frame::Frame(RenderContext& context, const std::vector<std::string>& aovs, int light_samples, int light_map, const Turn& turn)
     : context_(context), layers_(aovs) {
     Kernels& kernels = context.kernels;
     context.clock.run("film geometry", [&] {
-        film_ = std::make_unique<Film>(kernels, context.device_scene, context.flat.camera, context.scene.sensor.filter, seed);
+        film_ = std::make_unique<Film>(kernels, context.device_scene, context.flat.camera, context.scene.sensor.filter, turn);
     });
-    context.clock.run("light sample maps", [&] { make_lights(light_samples, light_map, seed); });
+    context.clock.run("light sample maps", [&] { make_lights(light_samples, light_map, turn); });
     context.clock.run("surface layers", [&] { layers_.add_surfaces(kernels, context.device_scene, context.flat, *film_); });
 }
 
-void Frame::make_lights(int count, int map, std::uint64_t seed) {
+void Frame::make_lights(int count, int map, const Turn& turn) {
     if (context_.options.bounces == 0) return;  // emission only
-    samples_ = sample_lights(context_.scene, context_.flat, context_.forms, count, seed);
+    samples_ = sample_lights(context_.scene, context_.flat, context_.forms, count, turn.seed, turn.lights_before);
     if (samples_.empty()) return;
     lights_ = LightSet(context_.kernels.device(), samples_, map);
     if (map > 0) make_geometry_maps(context_.kernels, context_.device_scene, lights_.maps, 0, lights_.maps.count);

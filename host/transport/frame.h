@@ -8,6 +8,7 @@
 #include "transport/film_layers.h"
 #include "transport/pencil_set.h"
 #include "transport/stage_clock.h"
+#include "transport/turn.h"
 
 namespace pencil {
 
@@ -36,8 +37,8 @@ struct RenderContext {
 
 class Frame {
 public:
-    /// Makes film geometry, light samples with their maps, and the surface layers. `seed` of the film's and the lights' samples.
-    Frame(RenderContext& context, const std::vector<std::string>& aovs, int light_samples, int light_map, std::uint64_t seed);
+    /// Makes film geometry, light samples with their maps, and the surface layers.
+    Frame(RenderContext& context, const std::vector<std::string>& aovs, int light_samples, int light_map, const Turn& turn);
 
     /// True if no light reaches anything: no light sample, no emitter carried by the maps.
     bool dark() const { return lights_.maps.count == 0 && !context_.maps_emit; }
@@ -56,7 +57,7 @@ public:
     std::vector<Layer> take_layers() { return layers_.take(film_->width(), film_->height()); }
 
 private:
-    void make_lights(int samples, int map, std::uint64_t seed);
+    void make_lights(int samples, int map, const Turn& turn);
 
     RenderContext& context_;
     FilmLayers layers_;

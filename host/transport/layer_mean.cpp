@@ -14,22 +14,24 @@ constexpr double variance_floor = 0.01;
 
 }  // namespace
 
-void LayerMean::add(std::vector<Layer> layers, double weight) {
-    ++count_;
+void LayerMean::Sum::add(const std::vector<float>& beauty, const std::vector<float>& first, double image_weight) {
+    if (value.empty()) value.assign(first.size(), 0.0F);
+    weight += image_weight;
+    for (std::size_t i = 0; i < first.size(); ++i)
+        value[i] += static_cast<float>(image_weight * (static_cast<double>(beauty[i]) - static_cast<double>(first[i])));
+}
+
+void LayerMean::add(std::vector<Layer> layers, double weight, int generation) {
+    if (count_ == 0) first_ = layers.front().pixels;
+    if (generation != generation_) begin_generation(generation);
+    const auto sequence = static_cast<std::size_t>(count_ % sequences);
+    of_[sequence].add(layers.front().pixels, first_, weight);
+    now_[sequence % 2].add(layers.front().pixels, first_, weight);
+    weights_.back() += weight;
     weight_ += weight;
-    weight2_ += weight * weight;
-    weight3_ += weight * weight * weight;
-    if (count_ == 1) {
-        first_ = layers.front().pixels;
-        value_.assign(first_.size(), 0.0);
-        square_.assign(first_.size(), 0.0);
+    if (count_++ == 0) {
         mean_ = std::move(layers);
         return;
-    }
-    for (std::size_t i = 0; i < first_.size(); ++i) {
-        const double value = static_cast<double>(layers.front().pixels[i]) - static_cast<double>(first_[i]);
-        value_[i] += weight * weight * value;
-        square_[i] += weight * weight * value * value;
     }
     const double share = weight / weight_;
     for (std::size_t l = 0; l < layers.size(); ++l)
@@ -38,32 +40,76 @@ void LayerMean::add(std::vector<Layer> layers, double weight) {
                 static_cast<float>(share * (static_cast<double>(layers[l].pixels[i]) - static_cast<double>(mean_[l].pixels[i])));
 }
 
-/// sum(w^2 (x - mean)^2) / sum(w)^2, right whatever the variances of the images are (White 1980), times what makes it unbiased where they
-/// are equal.
-double LayerMean::variance_of_mean(std::size_t i) const {
-    const double mean = static_cast<double>(mean_.front().pixels[i]) - static_cast<double>(first_[i]);
-    const double sum = std::max(square_[i] - 2.0 * mean * value_[i] + mean * mean * weight2_, 0.0);
-    const double left = weight2_ - 2.0 * weight3_ / weight_ + weight2_ * weight2_ / (weight_ * weight_);
-    return sum / (weight_ * weight_) * (weight2_ / left);
-}
-
-double LayerMean::relative_mean_square_error() const {
-    if (count_ < 2) return std::numeric_limits<double>::infinity();
+/// Mean over the beauty's values of square(i) / (mean^2 + floor), as relMSE.
+template <typename Square>
+double LayerMean::relative_mean(Square square) const {
     const std::vector<float>& pixels = mean_.front().pixels;
     const double mean = std::accumulate(pixels.begin(), pixels.end(), 0.0) / static_cast<double>(pixels.size());
     if (mean <= 0) return 0;
     double sum = 0;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         const double value = pixels[i];
-        sum += variance_of_mean(i) / (value * value + variance_floor * mean * mean);
+        sum += square(i) / (value * value + variance_floor * mean * mean);
     }
     return sum / static_cast<double>(pixels.size());
 }
 
+void LayerMean::begin_generation(int generation) {
+    last_square_ = shared_square();
+    before_ = std::move(now_);
+    now_ = Halves();
+    weights_.push_back(0.0);
+    generation_ = generation;
+}
+
+/// Square of the error that the images of this generation share. The halves are independent but for such errors: the product of their steps
+/// from the last generation is free of noise in the mean, and is three times that square if it halves from each generation to the next.
+double LayerMean::shared_square() const {
+    const double expected = 0.5 * last_square_;
+    for (const Halves* h : {&now_, &before_})
+        if ((*h)[0].weight == 0 || (*h)[1].weight == 0) return expected;
+    const auto step = [&](std::size_t half, std::size_t i) {
+        return static_cast<double>(now_[half].value[i]) / now_[half].weight -
+               static_cast<double>(before_[half].value[i]) / before_[half].weight;
+    };
+    const double square = relative_mean([&](std::size_t i) { return step(0, i) * step(1, i); }) / 3.0;
+    return std::max(square, 0.5 * expected);  // noise may hide it
+}
+
+/// sum(W^2 (M - mean)^2) / sum(W)^2 over the means M of the sequences and their weights W, right whatever their variances are (White 1980),
+/// times what makes it unbiased where variances are as 1 / W: sum(W) / (sum(W) - W) for each.
+double LayerMean::variance_of_mean(std::size_t i) const {
+    const double mean = static_cast<double>(mean_.front().pixels[i]) - static_cast<double>(first_[i]);
+    double sum = 0;
+    for (const Sum& s : of_) {
+        if (s.weight == 0) continue;
+        const double step = static_cast<double>(s.value[i]) - s.weight * mean;
+        sum += step * step / (1.0 - s.weight / weight_);
+    }
+    return sum / (weight_ * weight_);
+}
+
+double LayerMean::mean_square_noise() const {
+    return relative_mean([&](std::size_t i) { return variance_of_mean(i); });
+}
+
+/// Of what generations share, as if it had one sign in all of them: errors of interpolation do.
+double LayerMean::shared_square_error() const {
+    double sum = 0, growth = 1;
+    for (std::size_t g = weights_.size(); g-- > 0; growth *= std::sqrt(2.0)) sum += weights_[g] / weight_ * growth;
+    return sum * sum * shared_square();
+}
+
+double LayerMean::relative_mean_square_error() const {
+    if (count_ < 2) return std::numeric_limits<double>::infinity();
+    return mean_square_noise() + shared_square_error();
+}
+
 std::vector<Layer> LayerMean::take(bool with_error) {
     if (with_error && count_ >= 2) {
+        const double noise = mean_square_noise(), scale = noise > 0 ? std::sqrt(1.0 + shared_square_error() / noise) : 1.0;
         Layer error{"error", 3, std::vector<float>(first_.size())};
-        for (std::size_t i = 0; i < first_.size(); ++i) error.pixels[i] = static_cast<float>(std::sqrt(variance_of_mean(i)));
+        for (std::size_t i = 0; i < first_.size(); ++i) error.pixels[i] = static_cast<float>(scale * std::sqrt(variance_of_mean(i)));
         mean_.push_back(std::move(error));
     }
     return std::move(mean_);

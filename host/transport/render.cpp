@@ -1,6 +1,7 @@
 #include "transport/render.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "pencils/low_discrepancy.h"
@@ -69,7 +70,7 @@ private:
 
     RenderResult render_line() {
         const RenderOptions& options = context_.options;
-        Frame frame(context_, aovs_, options.light_samples, light_map_size(options.map), options.seed);
+        Frame frame(context_, aovs_, options.light_samples, light_map_size(options.map), {options.seed});
         if (add_direct(frame)) add_line_bounces(context_, frame);
         return finish(frame.take_layers());
     }
@@ -93,21 +94,25 @@ private:
         return layers;
     }
 
-    /// Independent images until time or error tell to stop; their mean is the result.
+    /// Images until time or error tell to stop; their mean is the result.
     RenderResult render_passes() {
-        const std::uint64_t seed = hash64(context_.options.seed);
         LayerMean mean;
+        SurfaceMethod method(context_);
+        std::array<std::uint64_t, LayerMean::sequences> lights{};  // light samples that each sequence has had
         double spent = seconds();
         for (int index = 0;; ++index) {
             const SurfacePass pass = surface_pass(index, context_.options, context_.flat.camera, emitters());
+            const auto sequence = static_cast<std::uint64_t>(index) % LayerMean::sequences;
+            const Turn turn{hash64(hash64(context_.options.seed) - sequence - 1), static_cast<std::uint64_t>(index) / LayerMean::sequences,
+                            lights[sequence]};
+            lights[sequence] += static_cast<std::uint64_t>(pass.light_samples);
             bool lit = false;
             try {
-                Frame frame(context_, index == 0 ? aovs_ : light_layers(aovs_), pass.light_samples, 0,
-                            seed + static_cast<std::uint64_t>(index));
+                Frame frame(context_, index == 0 ? aovs_ : light_layers(aovs_), pass.light_samples, 0, turn);
                 lit = add_direct(frame);
-                if (lit) add_surface_bounces(context_, pass, frame, seed + static_cast<std::uint64_t>(index));
+                if (lit) method.add_bounces(pass, turn, frame);
                 if (index > 0 && context_.clock.stopped()) break;  // half a pass is worth nothing beside whole ones
-                mean.add(frame.take_layers(), pass.weight);
+                mean.add(frame.take_layers(), pass.weight, pass.generation);
             } catch (const MemoryError& error) {
                 if (mean.count() == 0) throw;
                 context_.stats.warnings.push_back("stopped after " + std::to_string(mean.count()) + " passes: " + error.what());

@@ -10,6 +10,8 @@ namespace pencil {
 
 /// What one pass spends where.
 struct SurfacePass {
+    int generation;
+    int world_set;            // its number: passes that share it come one after the other
     int light_samples;        // of the film
     int texel_light_samples;  // that texels of surface pencils draw from
     WorldQuality world;
@@ -18,12 +20,24 @@ struct SurfacePass {
     double work;    // about how long it takes, in proportion to the first pass
 };
 
-/// Pass `index`: each generation has twice the passes of the last, with smaller reuse errors, more pencils and more light samples;
-/// `emitters`: shapes that light samples are spread over. The exponents keep the error of interpolation below the noise of the mean as both
+/// Pass `index`: each generation has twice the passes of the last, with smaller reuse errors, more pencils and more light samples, and two
+/// world sets; `emitters`: shapes that light samples are spread over. The exponents keep the error of interpolation below the noise of the mean as both
 /// fall (docs/accuracy.md).
 SurfacePass surface_pass(int index, const RenderOptions& options, const Camera& film, int emitters);
 
-/// Adds all reflections from order 2 on, and of order 1 what light samples do not carry, to the frame, as one layer "indirect".
-void add_surface_bounces(RenderContext& context, const SurfacePass& pass, Frame& frame, std::uint64_t seed);
+class SurfaceMethod {
+public:
+    explicit SurfaceMethod(RenderContext& context) : context_(context) {}
+
+    /// Adds all reflections from order 2 on, and of order 1 what light samples do not carry, to the frame, as one layer "indirect".
+    void add_bounces(const SurfacePass& pass, const Turn& turn, Frame& frame);
+
+private:
+    void solve_world(const SurfacePass& pass, const Frame& frame);
+
+    RenderContext& context_;
+    int world_set_ = -1;  // of the solver
+    std::unique_ptr<SurfaceSolver> solver_;
+};
 
 }  // namespace pencil

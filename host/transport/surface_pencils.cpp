@@ -66,26 +66,27 @@ void SurfacePencils::reserve(const std::shared_ptr<Device>& device, std::size_t 
     data = std::move(larger);
 }
 
-void place_surface_pencils(Kernels& kernels, const Surfels& surfels, const std::vector<int>& chosen, const std::vector<float4>& viewers,
-                           float radius, SurfacePencils& pencils, float spacing) {
-    if (chosen.empty()) return;
-    pencils.reserve(kernels.device(), chosen.size());
-    const Buffer<int> ids(kernels.device(), chosen, "chosen surfels");
-    const Buffer<float4> from(kernels.device(), viewers, "viewers of chosen surfels");
-    const int count = static_cast<int>(chosen.size());
+void place_surface_pencils(Kernels& kernels, const Surfels& surfels, const ChosenSurfels& chosen, float radius, SurfacePencils& pencils,
+                           float spacing) {
+    const std::size_t count = chosen.surfels.size();
+    if (count == 0) return;
+    pencils.reserve(kernels.device(), count);
+    const Buffer<int> ids(kernels.device(), chosen.surfels, "chosen surfels");
+    const Buffer<uint> keys(kernels.device(), chosen.keys, "keys of chosen surfels");
+    const Buffer<float4> from(kernels.device(), chosen.viewers, "viewers of chosen surfels");
     kernels.get("place_surface_pencils")
-        .args(surfels.data, surfels.capacity, ids, from, count, radius, spacing, pencils.count, pencils.data)
-        .run(chosen.size(), "place surface pencils");
-    pencils.count += count;
+        .args(surfels.data, surfels.capacity, ids, keys, from, static_cast<int>(count), radius, spacing, pencils.count, pencils.data)
+        .run(count, "place surface pencils");
+    pencils.count += static_cast<int>(count);
 }
 
-void trace_hemispheres(Kernels& kernels, const DeviceScene& scene, const SurfacePencils& pencils, int first, int count, uint seed,
-                       Surfels& surfels, int first_surfel) {
+void trace_hemispheres(Kernels& kernels, const DeviceScene& scene, const SurfacePencils& pencils, int first, int count,
+                       const TexelPoints& points, Surfels& surfels, int first_surfel) {
     const int texels = count * pencils.texels();
     surfels.count = first_surfel + texels;
     kernels.get("trace_hemispheres")
-        .args(pencils.data, first, count, pencils.n, seed, scene.nodes, scene.leaves, scene.triangles, scene.planes, scene.materials,
-              scene.normals, surfels.data, surfels.capacity, first_surfel)
+        .args(pencils.data, first, count, pencils.n, points.seed, points.turn, scene.nodes, scene.leaves, scene.triangles, scene.planes,
+              scene.materials, scene.normals, surfels.data, surfels.capacity, first_surfel)
         .run(kernels.packets(texels), "trace hemispheres");
 }
 

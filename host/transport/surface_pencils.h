@@ -32,13 +32,31 @@ struct DeviceGrid {
     Buffer<float> entries;
 };
 
-/// Appends pencils on the chosen surfels, seen from `viewers` [as many]; `radius` [scene units] is how far they may be used through a grid.
-void place_surface_pencils(Kernels& kernels, const Surfels& surfels, const std::vector<int>& chosen, const std::vector<float4>& viewers,
-                           float radius, SurfacePencils& pencils, float spacing = 0);
+/// Surfels that pencils are placed on.
+struct ChosenSurfels {
+    void add(int surfel, uint key, const float4& viewer) {
+        surfels.push_back(surfel);
+        keys.push_back(key);
+        viewers.push_back(viewer);
+    }
+    std::vector<int> surfels;
+    std::vector<uint> keys;       // SurfacePencil.key
+    std::vector<float4> viewers;  // where each was seen from
+};
+
+/// Appends pencils; `radius` [scene units] is how far they may be used through a grid, `spacing` of film pencils [pixels].
+void place_surface_pencils(Kernels& kernels, const Surfels& surfels, const ChosenSurfels& chosen, float radius, SurfacePencils& pencils,
+                           float spacing = 0);
+
+/// Which points of their texels pencils see.
+struct TexelPoints {
+    uint seed = 0;
+    uint turn = 0;  // points of one seed and key in successive turns fill each texel evenly
+};
 
 /// Surfels, from first_surfel on, that the texels of pencils first .. first + count see; surfels.count becomes the end of them.
-void trace_hemispheres(Kernels& kernels, const DeviceScene& scene, const SurfacePencils& pencils, int first, int count, uint seed,
-                       Surfels& surfels, int first_surfel = 0);
+void trace_hemispheres(Kernels& kernels, const DeviceScene& scene, const SurfacePencils& pencils, int first, int count,
+                       const TexelPoints& points, Surfels& surfels, int first_surfel = 0);
 
 /// Harmonic mean distance and horizon of pencils first .. first + count from what their texels see.
 void measure_hemispheres(Kernels& kernels, const Surfels& surfels, int first_surfel, int first, int count, SurfacePencils& pencils);

@@ -15,7 +15,7 @@ namespace {
 constexpr int chunk_surfels = 1 << 20;
 constexpr int most_iterations = 512;
 /// Light samples that a packet of texels chooses from.
-constexpr int most_candidates = 64;
+constexpr int most_candidates = 24;
 /// The world's bounces stop at this share of the tolerance of the image.
 constexpr double tolerance_share = 0.1;
 
@@ -27,14 +27,14 @@ glm::dvec3 power(const std::vector<float4>& irradiance) {
 
 }  // namespace
 
-SurfaceSolver::SurfaceSolver(Kernels& kernels, const DeviceScene& scene, const FlatScene& flat, const SurfaceLights& lights,
-                             const WorldQuality& quality, StageClock& clock, std::uint64_t seed)
+SurfaceSolver::SurfaceSolver(Kernels& kernels, const DeviceScene& scene, const FlatScene& flat, SurfaceLights lights,
+                             const WorldQuality& quality, StageClock& clock, uint seed)
     : kernels_(kernels),
       scene_(scene),
-      lights_(lights),
+      lights_(std::move(lights)),
       quality_(quality),
       clock_(clock),
-      seed_(static_cast<uint>(hash64(seed + 17) >> 32)),
+      seed_(seed),
       world_(kernels, scene, flat, quality.pencils, seed_) {}
 
 void SurfaceSolver::solve(const SurfacePencils& seeds, int orders, double tolerance) {
@@ -55,20 +55,20 @@ void SurfaceSolver::reserve(int texels) {
 void SurfaceSolver::light(const Surfels& surfels, Buffer<float>& outgoing, uint seed) {
     const int count = lights_.samples.maps.count;
     if (count > 0)
-        sample_lights(kernels_, scene_, surfels, lights_.samples, std::max(count / most_candidates, 1), quality_.light_draws, seed_ ^ seed,
+        sample_lights(kernels_, scene_, surfels, lights_.samples, std::max(count / most_candidates, 1), quality_.light_draws, seed,
                       outgoing);
 }
 
-void SurfaceSolver::gather(SurfacePencils& pencils, int first, int count) {
+void SurfaceSolver::gather(SurfacePencils& pencils, int first, int count, const TexelPoints& points) {
     const int chunk = std::max(chunk_surfels / pencils.texels(), 1);
     for (int at = first; at < first + count; at += chunk) {
         const int part = std::min(chunk, first + count - at);
         reserve(part * pencils.texels());
-        trace_hemispheres(kernels_, scene_, pencils, at, part, seed_, surfels_);
+        trace_hemispheres(kernels_, scene_, pencils, at, part, points, surfels_);
         measure_hemispheres(kernels_, surfels_, 0, at, part, pencils);
         outgoing_.fill_zero();
         emit_hemispheres(kernels_, scene_, surfels_, pencils, at, lights_.near_film, outgoing_);
-        if (direct_) light(surfels_, outgoing_, static_cast<uint>(at));
+        if (direct_) light(surfels_, outgoing_, static_cast<uint>(hash64((std::uint64_t{seed_} << 32) + ++gathers_) >> 32));
         if (world_.pencils().count > 0) project_surface_pencils(kernels_, surfels_, world_.pencils(), world_.grid(), outgoing_);
         sum_hemispheres(kernels_, outgoing_, surfels_.capacity, 0, at, part, pencils);
     }
@@ -80,7 +80,7 @@ std::vector<float4> SurfaceSolver::irradiance(bool emission, bool direct) {
     if (pencils.count == 0) return {};
     Buffer<float> outgoing = surfel_rgb(kernels_.device(), world_.surfels().capacity, "radiance to the world set");
     if (emission) emit_hemispheres(kernels_, scene_, world_.surfels(), pencils, 0, lights_.near_texel, outgoing);
-    if (direct) light(world_.surfels(), outgoing, 0);
+    if (direct) light(world_.surfels(), outgoing, seed_);
     sum_hemispheres(kernels_, outgoing, world_.surfels().capacity, 0, 0, pencils.count, pencils);
     std::vector<float4> values;
     for (const SurfacePencil& p : pencils.data.read(0, static_cast<std::size_t>(pencils.count))) values.push_back(p.irradiance);

@@ -21,15 +21,15 @@ struct SurfaceLights {
 
 class SurfaceSolver {
 public:
-    SurfaceSolver(Kernels& kernels, const DeviceScene& scene, const FlatScene& flat, const SurfaceLights& lights,
-                  const WorldQuality& quality, StageClock& clock, std::uint64_t seed);
+    SurfaceSolver(Kernels& kernels, const DeviceScene& scene, const FlatScene& flat, SurfaceLights lights,
+                  const WorldQuality& quality, StageClock& clock, uint seed);
 
     /// Places the world set from what the texels of `seeds` see and iterates bounces. Orders of reflection up to `orders` (-1: until the
     /// tolerance).
     void solve(const SurfacePencils& seeds, int orders, double tolerance);
 
     /// What pencils first .. first + count of a set see and receive, after solve().
-    void gather(SurfacePencils& pencils, int first, int count);
+    void gather(SurfacePencils& pencils, int first, int count, const TexelPoints& points);
 
     const SurfacePencils& world() const { return world_.pencils(); }
     bool stopped() const { return clock_.stopped(); }
@@ -43,7 +43,7 @@ private:
 
     Kernels& kernels_;
     const DeviceScene& scene_;
-    const SurfaceLights& lights_;
+    SurfaceLights lights_;
     WorldQuality quality_;
     StageClock& clock_;
     uint seed_;
@@ -51,6 +51,7 @@ private:
     Surfels surfels_;         // of one chunk of gather()
     Buffer<float> outgoing_;  // their radiance
     bool direct_ = true;      // reflections of order 2 are part of the image
+    std::uint64_t gathers_ = 0;  // so far: each draws other light samples
     double residual_ = 0;
 };
 

@@ -19,6 +19,8 @@ constexpr int most_per_wish = 6;
 constexpr int world_map = 8;
 /// Spacing of the pencils that fill what none reaches, relative to the others.
 constexpr float fill_spacing = 0.25F;
+/// Things seen from nearer than the spacing get closer pencils, but not closer than this share of it: light changes fast near contacts.
+constexpr float near_spacing = 0.5F;
 
 double surface_area(const FlatScene& flat) {
     return std::accumulate(flat.triangles.begin(), flat.triangles.end(), 0.0,
@@ -41,21 +43,24 @@ WorldSet::WorldSet(Kernels& kernels, const DeviceScene& scene, const FlatScene& 
 
 void WorldSet::cover(const SurfacePencils& seeds) {
     Surfels seen(kernels_.device(), seeds.count * seeds.texels(), "surfels of the seeds");
-    trace_hemispheres(kernels_, scene_, seeds, 0, seeds.count, seed_, seen);
+    trace_hemispheres(kernels_, scene_, seeds, 0, seeds.count, {seed_}, seen);
     PointThinner thinner(spacing_, alike);
-    int first = extend(seen, choose(seen, 0, {}, thinner), seeds);
+    int first = extend(seen, choose(seen, 0, {}, seeds, spacing_, thinner), seeds);
     for (int round = 1; round < most_rounds && first < pencils_.count; ++round)
-        first = extend(surfels_, choose(surfels_, first * pencils_.texels(), {}, thinner), pencils_);
+        first = extend(surfels_, choose(surfels_, first * pencils_.texels(), {}, pencils_, spacing_, thinner), pencils_);
     grid_ = DeviceGrid(kernels_.device(), pencils_, flat_);
+    links_ = link_surfels(kernels_, surfels_, pencils_, grid_);
     PointThinner finer(fill_spacing * spacing_, alike);
-    int added = fill(seen, seeds, finer);
-    added += fill(surfels_, pencils_, finer);
-    if (added > 0) grid_ = DeviceGrid(kernels_.device(), pencils_, flat_);
+    int added = fill(surfels_, links_, pencils_, finer);
+    added += fill(seen, link_surfels(kernels_, seen, pencils_, grid_), seeds, finer);
+    if (added == 0) return;
+    grid_ = DeviceGrid(kernels_.device(), pencils_, flat_);
     links_ = link_surfels(kernels_, surfels_, pencils_, grid_);
 }
 
-/// Surfels from number `first` on, but for those to skip, that the thinner keeps.
-std::vector<int> WorldSet::choose(const Surfels& surfels, int first, const std::vector<bool>& skip, PointThinner& thinner) {
+/// Surfels from number `first` on, seen by `viewers`, but for those to skip, that the thinner keeps.
+std::vector<int> WorldSet::choose(const Surfels& surfels, int first, const std::vector<bool>& skip, const SurfacePencils& viewers, float spacing,
+                                  PointThinner& thinner) {
     const auto size = static_cast<std::size_t>(surfels.count - first);
     const auto field = [&](int f) {
         return surfels.data.read(static_cast<std::size_t>(f) * static_cast<std::size_t>(surfels.capacity) + static_cast<std::size_t>(first),
@@ -63,13 +68,17 @@ std::vector<int> WorldSet::choose(const Surfels& surfels, int first, const std::
     };
     const std::vector<float> x = field(SURFEL_X), y = field(SURFEL_Y), z = field(SURFEL_Z), nx = field(SURFEL_NX), ny = field(SURFEL_NY),
                              nz = field(SURFEL_NZ);
+    const std::vector<SurfacePencil> from = viewers.data.read(0, static_cast<std::size_t>(viewers.count));
     std::vector<int> chosen;
     const int most = most_per_wish * wish_ - pencils_.count;
     const std::size_t stride = size % 7919 == 0 ? 1 : 7919;  // a prime: all are visited, neighbours far apart
     for (std::size_t k = 0, i = 0; k < size && static_cast<int>(chosen.size()) < most; ++k, i = (i + stride) % size) {
         const glm::vec3 n(nx[i], ny[i], nz[i]);
         if (n == glm::vec3(0) || (!skip.empty() && skip[i])) continue;
-        if (thinner.add({x[i], y[i], z[i]}, n)) chosen.push_back(first + static_cast<int>(i));
+        const int surfel = first + static_cast<int>(i);
+        const glm::vec3 p(x[i], y[i], z[i]);
+        const float distance = glm::distance(p, glm::vec3(from[static_cast<std::size_t>(surfel / viewers.texels())].position));
+        if (thinner.add(p, n, glm::clamp(distance, near_spacing * spacing, spacing))) chosen.push_back(surfel);
     }
     return chosen;
 }
@@ -79,22 +88,22 @@ int WorldSet::extend(const Surfels& surfels, const std::vector<int>& chosen, con
     const int first = pencils_.count, count = static_cast<int>(chosen.size()), texels = pencils_.texels();
     if (count == 0) return first;
     const std::vector<SurfacePencil> from = viewers.data.read(0, static_cast<std::size_t>(viewers.count));
-    std::vector<float4> eyes;
-    for (int i : chosen) eyes.push_back(from[static_cast<std::size_t>(i / viewers.texels())].position);
-    place_surface_pencils(kernels_, surfels, chosen, eyes, reach * spacing_, pencils_);
+    ChosenSurfels on;
+    for (std::size_t k = 0; k < chosen.size(); ++k)
+        on.add(chosen[k], static_cast<uint>(first) + static_cast<uint>(k), from[static_cast<std::size_t>(chosen[k] / viewers.texels())].position);
+    place_surface_pencils(kernels_, surfels, on, reach * spacing_, pencils_);
     surfels_.reserve(kernels_.device(), count * texels, "surfels of the world set");
-    trace_hemispheres(kernels_, scene_, pencils_, first, count, seed_, surfels_, first * texels);
+    trace_hemispheres(kernels_, scene_, pencils_, first, count, {seed_}, surfels_, first * texels);
     measure_hemispheres(kernels_, surfels_, first * texels, first, count, pencils_);
     return first;
 }
 
-/// Pencils on surfels that none reaches; how many.
-int WorldSet::fill(const Surfels& surfels, const SurfacePencils& viewers, PointThinner& thinner) {
+/// Pencils on surfels that none reaches by their links; how many.
+int WorldSet::fill(const Surfels& surfels, const SurfaceLinks& links, const SurfacePencils& viewers, PointThinner& thinner) {
     std::vector<bool> reached;
-    for (const glm::ivec4& link : link_surfels(kernels_, surfels, pencils_, grid_).pencils.read())
-        reached.push_back(link.x >= 0 && link.y != LINK_LAST_RESORT);
+    for (const glm::ivec4& link : links.pencils.read()) reached.push_back(link.x >= 0 && link.y != LINK_LAST_RESORT);
     const int before = pencils_.count;
-    extend(surfels, choose(surfels, 0, reached, thinner), viewers);
+    extend(surfels, choose(surfels, 0, reached, viewers, fill_spacing * spacing_, thinner), viewers);
     return pencils_.count - before;
 }
 

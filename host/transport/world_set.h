@@ -23,9 +23,10 @@ public:
     const SurfaceLinks& links() const { return links_; }  // of the surfels
 
 private:
-    std::vector<int> choose(const Surfels& surfels, int first, const std::vector<bool>& skip, PointThinner& thinner);
+    std::vector<int> choose(const Surfels& surfels, int first, const std::vector<bool>& skip, const SurfacePencils& viewers, float spacing,
+                            PointThinner& thinner);
     int extend(const Surfels& surfels, const std::vector<int>& chosen, const SurfacePencils& viewers);
-    int fill(const Surfels& surfels, const SurfacePencils& viewers, PointThinner& thinner);
+    int fill(const Surfels& surfels, const SurfaceLinks& links, const SurfacePencils& viewers, PointThinner& thinner);
 
     Kernels& kernels_;
     const DeviceScene& scene_;

@@ -23,7 +23,8 @@ typedef struct SurfacePencil {
     float horizon_y[2 * RING_SECTORS];
     //------------------------------------------------- 192 B
     int plane;  // of the surface that it lies on: index into planes
-    int unused[3];
+    uint key;   // decides where in its texels the points lie that it sees
+    int unused[2];
     //------------------------------------------------- 208 B
 } SurfacePencil;
 

@@ -35,7 +35,7 @@ Workbench::Workbench()
       flat(flatten(scene, sampled(scene), sizes().film, sizes().film)),
       kernels(device(), detect_features(flat, options())),
       on_device(device(), flat),
-      film(kernels, on_device, flat.camera, scene.sensor.filter, 0),
+      film(kernels, on_device, flat.camera, scene.sensor.filter, Turn()),
       lights(make_lights(kernels, on_device, scene, flat)) {
     const RenderOptions settings = options();
     StageClock clock(device(), {});

@@ -25,18 +25,19 @@ std::vector<SurfacePencil> random_pencils(std::uint32_t seed, int count) {
         p.normal = to_float4(normal, 0.1);
         p.facing = to_float4(normal);
         p.plane = -1;  // in free space
+        p.key = static_cast<uint>(i);
         pencils.push_back(p);
     }
     return pencils;
 }
 
-Traced trace(Kernels& kernels, const TestScene& scene, const std::vector<SurfacePencil>& placed, int n) {
+Traced trace(Kernels& kernels, const TestScene& scene, const std::vector<SurfacePencil>& placed, int n, const TexelPoints& points = {7}) {
     const DeviceScene on_device(device(), scene.flat, build_bvh(scene.flat.triangles));
     const int count = static_cast<int>(placed.size());
     Traced t{SurfacePencils(device(), count, n), Surfels(device(), count * n * n, "surfels")};
     t.pencils.data.write(placed);
     t.pencils.count = count;
-    trace_hemispheres(kernels, on_device, t.pencils, 0, count, 7, t.surfels);
+    trace_hemispheres(kernels, on_device, t.pencils, 0, count, points, t.surfels);
     return t;
 }
 
@@ -94,6 +95,35 @@ TEST(TraceHemispheres, DirectionsFollowTheCosine) {
     }
 }
 
+/// Mean square error, over pencils, of the mean cosine of their directions in `sets` sets of points.
+template <typename Points>
+double cosine_error(Kernels& kernels, int sets, Points points_of) {
+    const TestScene scene = box_scene(1);
+    const std::vector<SurfacePencil> placed = random_pencils(9, 64);
+    std::vector<double> cosine(placed.size(), 0.0);
+    for (uint set = 0; set < static_cast<uint>(sets); ++set) {
+        const Traced t = trace(kernels, scene, placed, 4, points_of(set));
+        const std::vector<float> surfels = t.surfels.data.read();
+        for (std::size_t i = 0; i < 16 * placed.size(); ++i) {
+            const dvec3 point(field(surfels, t.surfels.capacity, SURFEL_X, i), field(surfels, t.surfels.capacity, SURFEL_Y, i),
+                              field(surfels, t.surfels.capacity, SURFEL_Z, i));
+            cosine[i / 16] += glm::dot(glm::normalize(point - xyz(placed[i / 16].position)), xyz(placed[i / 16].normal)) / (16.0 * sets);
+        }
+    }
+    double error = 0;
+    for (const double c : cosine) error += (c - 2.0 / 3.0) * (c - 2.0 / 3.0) / static_cast<double>(cosine.size());
+    return error;
+}
+
+TEST(TraceHemispheres, TurnsFillTexelsMoreEvenlyThanSeeds) {
+    Kernels kernels = make_kernels();
+    const double seeds = cosine_error(kernels, 64, [](uint set) { return TexelPoints{set + 1, 0}; });
+    const double turns = cosine_error(kernels, 64, [](uint set) { return TexelPoints{1, set}; });
+    std::printf("mean square error of the mean cosine: 64 seeds %.2e, 64 turns %.2e\n", seeds, turns);
+    EXPECT_LT(turns, 0.2 * seeds);
+    EXPECT_GT(turns, 0.0);
+}
+
 TEST(SumHemispheres, UniformRadianceIsPi) {
     Kernels kernels = make_kernels();
     const TestScene scene = box_scene(2);
@@ -135,7 +165,9 @@ Traced on_floor(Kernels& kernels, const TestScene& scene, const dvec3& x, const 
     set(SURFEL_PLANE, glm::intBitsToFloat(scene.flat.triangles.front().plane));
     surfels.data.write(values);
     SurfacePencils pencils(device(), 1, n);
-    place_surface_pencils(kernels, surfels, {0}, {to_float4(eye)}, 0.1F, pencils);
+    ChosenSurfels chosen;
+    chosen.add(0, 0, to_float4(eye));
+    place_surface_pencils(kernels, surfels, chosen, 0.1F, pencils);
     Traced t = trace(kernels, scene, pencils.data.read(0, 1), n);
     measure_hemispheres(kernels, t.surfels, 0, 0, 1, t.pencils);
     return t;

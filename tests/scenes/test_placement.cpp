@@ -29,7 +29,7 @@ public:
           flat_(flatten(scene_, forms_, 0, 0)),
           kernels_(device(), detect_features(flat_, RenderOptions())),
           on_device_(device(), flat_, build_bvh(flat_.triangles)),
-          film_(kernels_, on_device_, flat_.camera, scene_.sensor.filter, 0),
+          film_(kernels_, on_device_, flat_.camera, scene_.sensor.filter, Turn()),
           source_(make_candidate_source({kernels_, on_device_, scene_, flat_, seed}, mixture)) {
         const std::vector<LightSample> samples = sample_lights(scene_, flat_, forms_, 4, 0);
         if (!samples.empty()) {

@@ -40,7 +40,7 @@ LitPencils::LitPencils(const std::shared_ptr<Device>& device, const LookUpOption
       flat_(flatten(scene_, forms_, options.resolution, options.resolution)),
       kernels_(device, detect_features(flat_, RenderOptions())),
       device_scene_(device, flat_),
-      film_(kernels_, device_scene_, flat_.camera, scene_.sensor.filter, 0) {
+      film_(kernels_, device_scene_, flat_.camera, scene_.sensor.filter, Turn()) {
     make_pencils(device, options);
     const auto capacity = static_cast<std::size_t>(surfels().capacity);
     const std::vector<float> data = surfels().data.read();

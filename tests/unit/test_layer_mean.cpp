@@ -19,7 +19,7 @@ std::vector<Layer> noisy(ref::Random& random, std::size_t size, double sigma) {
 
 TEST(LayerMean, OneImageIsItselfWithUnknownError) {
     LayerMean mean;
-    mean.add({Layer{"", 3, {1, 2, 3}}}, 1.0);
+    mean.add({Layer{"", 3, {1, 2, 3}}}, 1.0, 0);
     EXPECT_TRUE(std::isinf(mean.relative_mean_square_error()));
     const std::vector<Layer> layers = mean.take(true);
     ASSERT_EQ(layers.size(), 1U);
@@ -28,25 +28,25 @@ TEST(LayerMean, OneImageIsItselfWithUnknownError) {
 
 TEST(LayerMean, WeightsCount) {
     LayerMean mean;
-    mean.add({Layer{"", 3, {0, 0, 0}}, Layer{"direct", 3, {4, 4, 4}}}, 1.0);
-    mean.add({Layer{"", 3, {3, 6, 9}}, Layer{"direct", 3, {1, 1, 1}}}, 2.0);
+    mean.add({Layer{"", 3, {0, 0, 0}}, Layer{"direct", 3, {4, 4, 4}}}, 1.0, 0);
+    mean.add({Layer{"", 3, {3, 6, 9}}, Layer{"direct", 3, {1, 1, 1}}}, 2.0, 0);
     const std::vector<Layer> layers = mean.take(true);
     ASSERT_EQ(layers.size(), 3U);
     EXPECT_FLOAT_EQ(layers[0].pixels[1], 4.0F);
     EXPECT_FLOAT_EQ(layers[1].pixels[0], 2.0F);
     EXPECT_EQ(layers[2].name, "error");
-    // sum w^2 (x - m)^2 = 8, over (sum w)^2 = 9; times sum w^2 = 5 over 5 - 2 * 9 / 3 + 25 / 9
-    EXPECT_FLOAT_EQ(layers[2].pixels[0], std::sqrt(8.0F / 9.0F * 5.0F / (16.0F / 9.0F)));
+    // sum w^2 (x - m)^2 / (1 - w / sum w) = 1 * 4 / (2 / 3) + 4 * 1 / (1 / 3), over (sum w)^2 = 9
+    EXPECT_FLOAT_EQ(layers[2].pixels[0], std::sqrt(18.0F / 9.0F));
 }
 
-/// Estimated over true relMSE of a mean of images with weights 1, 2, 1, 2 ... and variances 0.04 / weight^power.
-double estimate_over_truth(int images, double power) {
+/// Estimated over true relMSE of a mean of images with weights 1, `second`, 1, `second` ... and variances 0.04 / weight^power.
+double estimate_over_truth(int images, double second, double power) {
     ref::Random random(3);
     LayerMean mean;
     double weights = 0, variance = 0;
     for (int k = 0; k < images; ++k) {
-        const double weight = k % 2 == 0 ? 1.0 : 2.0, sigma = 0.2 / std::sqrt(std::pow(weight, power));
-        mean.add(noisy(random, 30000, sigma), weight);
+        const double weight = k % 2 == 0 ? 1.0 : second, sigma = 0.2 / std::sqrt(std::pow(weight, power));
+        mean.add(noisy(random, 30000, sigma), weight, 0);
         weights += weight;
         variance += weight * weight * sigma * sigma;
     }
@@ -54,13 +54,65 @@ double estimate_over_truth(int images, double power) {
 }
 
 TEST(LayerMean, EstimatesTheErrorOfTheMean) {
-    for (const int images : {2, 3, 10}) EXPECT_NEAR(estimate_over_truth(images, 0.0), 1.0, 0.05) << images << " images";
-    for (const double power : {-1.0, 1.0}) EXPECT_NEAR(estimate_over_truth(40, power), 1.0, 0.05) << "variance by weight^" << -power;
+    for (const int images : {2, 3, 4, 5, 10, 40}) EXPECT_NEAR(estimate_over_truth(images, 1.0, 0.0), 1.0, 0.05) << images << " images";
+    EXPECT_NEAR(estimate_over_truth(2, 2.0, 1.0), 1.0, 0.05);
+    for (const double power : {-1.0, 0.0, 1.0}) EXPECT_NEAR(estimate_over_truth(40, 2.0, power), 1.0, 0.1) << "variance by weight^" << -power;
+}
+
+/// What later images of a sequence take back is no error of the mean, and is not taken for one.
+TEST(LayerMean, ImagesOfASequenceMayContinueEachOther) {
+    ref::Random random(5);
+    LayerMean mean;
+    std::vector<std::vector<Layer>> first;
+    for (int k = 0; k < LayerMean::sequences; ++k) {
+        first.push_back(noisy(random, 3000, 0.2));
+        mean.add(first.back(), 1.0, 0);
+    }
+    const double before = mean.relative_mean_square_error();
+    for (std::vector<Layer>& layers : first) {
+        for (float& value : layers.front().pixels) value = 4.0F - value;
+        mean.add(layers, 1.0, 0);
+    }
+    EXPECT_GT(before, 1e-3);
+    EXPECT_LT(mean.relative_mean_square_error(), 1e-6 * before);
+    const std::vector<Layer> layers = mean.take(false);
+    for (const float value : layers.front().pixels) EXPECT_NEAR(value, 2.0F, 1e-5F);
+}
+
+/// Generation g has 2^(g + 1) images, which share an error of standard deviation shared / 2^(g / 2), beside noise of
+/// their own.
+double estimate_with_shared_errors(int generations, double shared, double sigma) {
+    ref::Random random(7);
+    constexpr std::size_t size = 30000;
+    LayerMean mean;
+    for (int g = 0; g < generations; ++g) {
+        const std::vector<Layer> common = noisy(random, size, shared * std::exp2(-0.5 * g));
+        for (int k = 0; k < 2 << g; ++k) {
+            std::vector<Layer> image = noisy(random, size, sigma);
+            for (std::size_t i = 0; i < size; ++i) image.front().pixels[i] += common.front().pixels[i] - 2.0F;
+            mean.add(image, 1.0, g);
+        }
+    }
+    const double estimate = mean.relative_mean_square_error();
+    double truth = 0;
+    const std::vector<Layer> layers = mean.take(false);
+    for (const float value : layers.front().pixels) truth += (value - 2.0) * (value - 2.0) / (4.04 * static_cast<double>(size));
+    return estimate / truth;
+}
+
+/// The estimate takes shared errors to have one sign in all generations; these are independent.
+TEST(LayerMean, SeesWhatGenerationsShare) {
+    for (const double sigma : {0.02, 0.2, 0.6}) {
+        const double ratio = estimate_with_shared_errors(4, 0.1, sigma);
+        EXPECT_GT(ratio, 0.95) << "noise " << sigma;
+        EXPECT_LT(ratio, 4.0) << "noise " << sigma;
+    }
+    EXPECT_NEAR(estimate_with_shared_errors(4, 0.0, 0.2), 1.0, 0.1) << "nothing shared";
 }
 
 TEST(LayerMean, BlackImagesHaveNoError) {
     LayerMean mean;
-    for (int k = 0; k < 2; ++k) mean.add({Layer{"", 3, {0, 0, 0}}}, 1.0);
+    for (int k = 0; k < 2; ++k) mean.add({Layer{"", 3, {0, 0, 0}}}, 1.0, 0);
     EXPECT_EQ(mean.relative_mean_square_error(), 0.0);
 }
 

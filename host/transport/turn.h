@@ -1,0 +1,15 @@
+// The place of an image in a sequence of images whose mean is the result.
+#pragma once
+
+#include <cstdint>
+
+namespace pencil {
+
+/// Images of one seed continue each other's sample sequences from turn to turn.
+struct Turn {
+    std::uint64_t seed = 0;
+    std::uint64_t index = 0;          // of the image
+    std::uint64_t lights_before = 0;  // light samples of the images before it
+};
+
+}  // namespace pencil
