@@ -1,16 +1,12 @@
 // Gather Q of surface pencils: the surfels that the texels of their hemispheres see, by packets of rays through the hierarchy.
 
-/// 1 / g and 1 / g^2 of the R2 sequence, g^3 = g + 1, as fractions of 2^32.
-#define R2_STEP_X 0xc13fa9a9u
-#define R2_STEP_Y 0x91e10da6u
-
 /// launch : 1-D, one work-item per packet of PENCIL_WIDTH texels of pencils first_pencil .. ; n * n entries per pencil, in the order of
 ///          hemisphere_texel
-/// in     : pencils (position, normal, facing, plane, key); the scene and its hierarchy; seed: of the points within texels; turn: the points
-///          of one seed and key in successive turns fill each texel evenly, by the R2 sequence (Roberts 2018)
+/// in     : pencils (position, normal, facing, plane, key); the scene and its hierarchy; seed: of the points within texels; shift: of all
+///          points, as fractions of 2^32: a digital shift, so that a sequence of them fills each texel as evenly as it fills the square
 /// out    : surfels, structure of arrays of `capacity`, entry k of pencil first_pencil + p at first_surfel + p * n * n + k
 /// needs  : n a multiple of 4. Texels below the geometric horizon of a pencil see nothing.
-kernel void trace_hemispheres(global const SurfacePencil *pencils, int first_pencil, int pencil_count, int n, uint seed, uint turn,
+kernel void trace_hemispheres(global const SurfacePencil *pencils, int first_pencil, int pencil_count, int n, uint seed, uint2 shift,
                               global const BvhNode *nodes, global const int *leaves, global const Triangle *triangles,
                               global const float4 *planes, global const Material *materials, global const float4 *normals,
                               global float *surfels, int capacity, int first_surfel) {
@@ -28,9 +24,9 @@ kernel void trace_hemispheres(global const SurfacePencil *pencils, int first_pen
         column[l] = texel.x;
         row[l] = texel.y;
     }
-    vuint u = hash_packet((vuint)(hash_uint(pencil->key ^ seed)) + PACKET_AS_UINT(first % (n * n) + PACKET_LANES));
-    vuint v = hash_packet(u) + turn * R2_STEP_Y;
-    u += turn * R2_STEP_X;
+    vuint u = hash_packet((vuint)(hash_uint(pencil->key + hash_uint(seed))) + PACKET_AS_UINT(first % (n * n) + PACKET_LANES));
+    vuint v = hash_packet(u) ^ shift.y;
+    u ^= shift.x;
     vfloat a = (PACKET_TO_FLOAT(PACKET_LOAD(column)) + PACKET_UNIT(u)) * (2.0f / n) - 1.0f;
     vfloat c = (PACKET_TO_FLOAT(PACKET_LOAD(row)) + PACKET_UNIT(v)) * (2.0f / n) - 1.0f;
     vfloat px, py;

@@ -42,4 +42,13 @@ inline glm::dvec4 r4_sequence(std::uint64_t index, const glm::dvec4& shift) {
             fraction(shift.w + i * (a * a * a * a))};
 }
 
+/// The first two dimensions of Sobol's sequence (1967), a (0, 2)-sequence in base 2, as fractions of 2^32.
+inline glm::uvec2 sobol_2d(std::uint32_t index) {
+    glm::uvec2 point(0);
+    std::uint32_t mirrored = 0x80000000U, direction = 0x80000000U;
+    for (; index != 0; index >>= 1, mirrored >>= 1, direction ^= direction >> 1)
+        if ((index & 1U) != 0) point ^= glm::uvec2(mirrored, direction);
+    return point;
+}
+
 }  // namespace pencil

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "shared/film.h"
+#include "transport/rasterize_film.h"
 
 namespace pencil {
 
@@ -12,9 +13,6 @@ namespace {
 constexpr std::size_t strip_bytes = std::size_t{96} << 20;
 /// Surfels are numbered through square blocks of pixels, so that neighbouring surfels see neighbouring things.
 constexpr int numbered_block = 8;
-/// Rows per work-item of the film rasteriser, at least. Every band looks at every triangle, so their number is bounded.
-constexpr int band_rows = 8;
-constexpr int most_bands = 256;
 /// Surfels per pixel that the estimate assumes, and rgb layers held at once.
 constexpr double surfels_per_pixel = 1.2;
 constexpr int layers_held = 4;
@@ -49,23 +47,16 @@ Film::Film(Kernels& kernels, const DeviceScene& scene, const Camera& camera, con
     const bool one_strip = strip_rows_ == camera_.height;
     for (int row = 0; row < camera_.height; row += strip_rows_) {
         const int rows = std::min(strip_rows_, camera_.height - row);
-        rasterize(kernels, scene, row, rows);
+        rasterize_film(kernels, scene, camera_, offsets_, samples_, row, rows, hits_);
         classify(kernels, scene, row, rows);
     }
     surfels_ = Surfels(device, number_surfels(device), "film surfels");
     for (int row = 0; row < camera_.height; row += strip_rows_) {
         const int rows = std::min(strip_rows_, camera_.height - row);
-        if (!one_strip) rasterize(kernels, scene, row, rows);
+        if (!one_strip) rasterize_film(kernels, scene, camera_, offsets_, samples_, row, rows, hits_);
         write_surfels(kernels, scene, row, rows);
     }
     hits_ = Buffer<Hit>();
-}
-
-void Film::rasterize(Kernels& kernels, const DeviceScene& scene, int first_row, int rows) {
-    const int band = std::max(band_rows, (rows + most_bands - 1) / most_bands), bands = (rows + band - 1) / band;
-    kernels.get("rasterize_film")
-        .args(scene.triangles, scene.triangle_count, scene.planes, camera_, scene.to_film, offsets_, samples_, first_row, rows, band, hits_)
-        .run(static_cast<std::size_t>(bands) * static_cast<std::size_t>(samples_), "rasterize film", 1);
 }
 
 void Film::classify(Kernels& kernels, const DeviceScene& scene, int first_row, int rows) {

@@ -27,7 +27,6 @@ public:
     std::vector<float> resolve(Kernels& kernels, const Buffer<float>& values, int first_field = 0) const;
 
 private:
-    void rasterize(Kernels& kernels, const DeviceScene& scene, int first_row, int rows);
     void classify(Kernels& kernels, const DeviceScene& scene, int first_row, int rows);
     void write_surfels(Kernels& kernels, const DeviceScene& scene, int first_row, int rows);
     int number_surfels(const std::shared_ptr<Device>& device);

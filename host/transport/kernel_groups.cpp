@@ -10,7 +10,7 @@ const std::vector<KernelGroup>& groups() {
     static const std::vector<KernelGroup> all{
         // Film: every render.
         {{"packet", "octahedral", "triangle", "raster", "surfel"},
-         {"rasterize_film", "classify_film", "film_surfels", "emit_surfels", "resolve_film"}},
+         {"bound_film", "rasterize_film", "classify_film", "film_surfels", "emit_surfels", "resolve_film"}},
         // Geometry maps, and direct light through them.
         {{"packet", "hash", "octahedral", "triangle", "raster", "octant", "footprint", "surfel_packet", "bvh", "visibility",
           "packet_visibility", "light_sample"},

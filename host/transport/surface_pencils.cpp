@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "pencils/low_discrepancy.h"
+
 namespace pencil {
 
 namespace {
@@ -85,7 +87,7 @@ void trace_hemispheres(Kernels& kernels, const DeviceScene& scene, const Surface
     const int texels = count * pencils.texels();
     surfels.count = first_surfel + texels;
     kernels.get("trace_hemispheres")
-        .args(pencils.data, first, count, pencils.n, points.seed, points.turn, scene.nodes, scene.leaves, scene.triangles, scene.planes,
+        .args(pencils.data, first, count, pencils.n, points.seed, sobol_2d(points.turn), scene.nodes, scene.leaves, scene.triangles, scene.planes,
               scene.materials, scene.normals, surfels.data, surfels.capacity, first_surfel)
         .run(kernels.packets(texels), "trace hemispheres");
 }

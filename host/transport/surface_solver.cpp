@@ -12,7 +12,7 @@ namespace pencil {
 namespace {
 
 /// Texels that are worked on at once: bounds memory and the length of a launch.
-constexpr int chunk_surfels = 1 << 20;
+constexpr int chunk_surfels = 1 << 18;
 constexpr int most_iterations = 512;
 /// Light samples that a packet of texels chooses from.
 constexpr int most_candidates = 24;

@@ -4,6 +4,7 @@
 #include "pencils/film_filter.h"
 #include "reference/tolerances.h"
 #include "shared/film.h"
+#include "transport/rasterize_film.h"
 
 namespace {
 
@@ -27,9 +28,7 @@ Classified classify(TestScene scene, const TestCamera& view, int samples) {
     const int rows = view.camera.height;
     const auto pixels = static_cast<std::size_t>(rows) * static_cast<std::size_t>(view.camera.width);
     Buffer<Hit> hits(device(), offsets.size() * pixels, "hits");
-    kernels.get("rasterize_film")
-        .args(s.triangles, s.triangle_count, s.planes, view.camera, s.to_film, positions, samples, 0, rows, rows, hits)
-        .run(offsets.size(), "rasterize film", 1);
+    rasterize_film(kernels, s, view.camera, positions, samples, 0, rows, hits);
     Buffer<unsigned char> slots(device(), offsets.size() * pixels, "slots"), counts(device(), pixels, "counts");
     kernels.get("classify_film")
         .args(hits, view.camera, positions, samples, 0, rows, s.triangles, s.planes, slots, counts)

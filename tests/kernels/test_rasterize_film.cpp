@@ -2,25 +2,20 @@
 #include "kernels/film_test.h"
 #include "pencils/film_filter.h"
 #include "reference/tolerances.h"
+#include "transport/rasterize_film.h"
 
 namespace {
 
 using namespace pencil;
 using namespace pencil::test;
 
-constexpr int band_rows = 8;
-
 std::vector<Hit> rasterize(TestScene scene, const TestCamera& view, const std::vector<glm::vec2>& offsets, int first_row, int rows) {
     Kernels kernels = make_kernels();
     scene.flat.to_film = view.to_film;
     const DeviceScene on_device(device(), scene.flat);
     const Buffer<glm::vec2> positions(device(), offsets, "offsets");
-    const int samples = static_cast<int>(offsets.size()), bands = (rows + band_rows - 1) / band_rows;
     Buffer<Hit> hits(device(), offsets.size() * static_cast<std::size_t>(rows * view.camera.width), "hits");
-    kernels.get("rasterize_film")
-        .args(on_device.triangles, on_device.triangle_count, on_device.planes, view.camera, on_device.to_film, positions, samples,
-              first_row, rows, band_rows, hits)
-        .run(static_cast<std::size_t>(bands) * offsets.size(), "rasterize film", 1);
+    rasterize_film(kernels, on_device, view.camera, positions, static_cast<int>(offsets.size()), first_row, rows, hits);
     return hits.read();
 }
 
