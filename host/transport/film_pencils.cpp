@@ -47,9 +47,9 @@ void FilmPencils::place(const std::vector<int>& pixels, int spacing) {
         const auto p = static_cast<std::size_t>(pixel);
         if (at_[p] >= 0 || (counts_[p] & FILM_COUNT_MASK) == 0) continue;
         at_[p] = next++;
-        chosen.add(first_[p], static_cast<uint>(pixel), film_.eye());
+        chosen.add(first_[p], static_cast<uint>(pixel), glm::vec3(film_.eye()));
     }
-    place_surface_pencils(kernels_, film_.surfels(), chosen, 0.0F, pencils_, static_cast<float>(spacing));
+    place_surface_pencils(kernels_, film_.surfels(), chosen, pencils_, static_cast<float>(spacing));
     pencil_at_.write(at_);
 }
 
@@ -115,9 +115,9 @@ void FilmPencils::place_singles(const std::vector<unsigned char>& uncovered) {
             const int i = first_[pixel] + k;
             if (!uncovered[static_cast<std::size_t>(i)]) continue;
             at[static_cast<std::size_t>(i)] = static_cast<int>(chosen.surfels.size());
-            chosen.add(i, static_cast<uint>(pixel + static_cast<std::size_t>(k + 1) * counts_.size()), film_.eye());
+            chosen.add(i, static_cast<uint>(pixel + static_cast<std::size_t>(k + 1) * counts_.size()), glm::vec3(film_.eye()));
         }
-    place_surface_pencils(kernels_, film_.surfels(), chosen, 0.0F, singles_);
+    place_surface_pencils(kernels_, film_.surfels(), chosen, singles_);
     single_at_.write(at);
 }
 

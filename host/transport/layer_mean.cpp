@@ -66,8 +66,8 @@ void LayerMean::begin_generation(int generation) {
 /// from the last generation is free of noise in the mean, and is three times that square if it halves from each generation to the next.
 double LayerMean::shared_square() const {
     const double expected = 0.5 * last_square_;
-    for (const Halves* h : {&now_, &before_})
-        if ((*h)[0].weight == 0 || (*h)[1].weight == 0) return expected;
+    for (std::size_t half = 0; half < 2; ++half)  // steps to the first images of a generation hold little but noise
+        if (before_[half].weight == 0 || now_[half].weight < before_[half].weight) return expected;
     const auto step = [&](std::size_t half, std::size_t i) {
         return static_cast<double>(now_[half].value[i]) / now_[half].weight -
                static_cast<double>(before_[half].value[i]) / before_[half].weight;

@@ -68,16 +68,15 @@ void SurfacePencils::reserve(const std::shared_ptr<Device>& device, std::size_t 
     data = std::move(larger);
 }
 
-void place_surface_pencils(Kernels& kernels, const Surfels& surfels, const ChosenSurfels& chosen, float radius, SurfacePencils& pencils,
-                           float spacing) {
+void place_surface_pencils(Kernels& kernels, const Surfels& surfels, const ChosenSurfels& chosen, SurfacePencils& pencils, float spacing) {
     const std::size_t count = chosen.surfels.size();
     if (count == 0) return;
     pencils.reserve(kernels.device(), count);
     const Buffer<int> ids(kernels.device(), chosen.surfels, "chosen surfels");
     const Buffer<uint> keys(kernels.device(), chosen.keys, "keys of chosen surfels");
-    const Buffer<float4> from(kernels.device(), chosen.viewers, "viewers of chosen surfels");
+    const Buffer<float4> views(kernels.device(), chosen.views, "views of chosen surfels");
     kernels.get("place_surface_pencils")
-        .args(surfels.data, surfels.capacity, ids, keys, from, static_cast<int>(count), radius, spacing, pencils.count, pencils.data)
+        .args(surfels.data, surfels.capacity, ids, keys, views, static_cast<int>(count), spacing, pencils.count, pencils.data)
         .run(count, "place surface pencils");
     pencils.count += static_cast<int>(count);
 }

@@ -34,18 +34,19 @@ struct DeviceGrid {
 
 /// Surfels that pencils are placed on.
 struct ChosenSurfels {
-    void add(int surfel, uint key, const float4& viewer) {
+    /// `viewer`: where the surfel was seen from; `radius`: how far the pencil may be used through a grid [scene units].
+    void add(int surfel, uint key, const glm::vec3& viewer, float radius = 0) {
         surfels.push_back(surfel);
         keys.push_back(key);
-        viewers.push_back(viewer);
+        views.emplace_back(viewer, radius);
     }
     std::vector<int> surfels;
-    std::vector<uint> keys;       // SurfacePencil.key
-    std::vector<float4> viewers;  // where each was seen from
+    std::vector<uint> keys;     // SurfacePencil.key
+    std::vector<float4> views;  // xyz: viewer; w: radius
 };
 
-/// Appends pencils; `radius` [scene units] is how far they may be used through a grid, `spacing` of film pencils [pixels].
-void place_surface_pencils(Kernels& kernels, const Surfels& surfels, const ChosenSurfels& chosen, float radius, SurfacePencils& pencils,
+/// Appends pencils; `spacing` of film pencils [pixels].
+void place_surface_pencils(Kernels& kernels, const Surfels& surfels, const ChosenSurfels& chosen, SurfacePencils& pencils,
                            float spacing = 0);
 
 /// Which points of their texels pencils see.

@@ -45,9 +45,9 @@ void WorldSet::cover(const SurfacePencils& seeds) {
     Surfels seen(kernels_.device(), seeds.count * seeds.texels(), "surfels of the seeds");
     trace_hemispheres(kernels_, scene_, seeds, 0, seeds.count, {seed_}, seen);
     PointThinner thinner(spacing_, alike);
-    int first = extend(seen, choose(seen, 0, {}, seeds, spacing_, thinner), seeds);
+    int first = extend(seen, choose(seen, 0, {}, seeds, spacing_, thinner));
     for (int round = 1; round < most_rounds && first < pencils_.count; ++round)
-        first = extend(surfels_, choose(surfels_, first * pencils_.texels(), {}, pencils_, spacing_, thinner), pencils_);
+        first = extend(surfels_, choose(surfels_, first * pencils_.texels(), {}, pencils_, spacing_, thinner));
     grid_ = DeviceGrid(kernels_.device(), pencils_, flat_);
     links_ = link_surfels(kernels_, surfels_, pencils_, grid_);
     PointThinner finer(fill_spacing * spacing_, alike);
@@ -59,8 +59,8 @@ void WorldSet::cover(const SurfacePencils& seeds) {
 }
 
 /// Surfels from number `first` on, seen by `viewers`, but for those to skip, that the thinner keeps.
-std::vector<int> WorldSet::choose(const Surfels& surfels, int first, const std::vector<bool>& skip, const SurfacePencils& viewers, float spacing,
-                                  PointThinner& thinner) {
+ChosenSurfels WorldSet::choose(const Surfels& surfels, int first, const std::vector<bool>& skip, const SurfacePencils& viewers,
+                               float spacing, PointThinner& thinner) const {
     const auto size = static_cast<std::size_t>(surfels.count - first);
     const auto field = [&](int f) {
         return surfels.data.read(static_cast<std::size_t>(f) * static_cast<std::size_t>(surfels.capacity) + static_cast<std::size_t>(first),
@@ -69,29 +69,27 @@ std::vector<int> WorldSet::choose(const Surfels& surfels, int first, const std::
     const std::vector<float> x = field(SURFEL_X), y = field(SURFEL_Y), z = field(SURFEL_Z), nx = field(SURFEL_NX), ny = field(SURFEL_NY),
                              nz = field(SURFEL_NZ);
     const std::vector<SurfacePencil> from = viewers.data.read(0, static_cast<std::size_t>(viewers.count));
-    std::vector<int> chosen;
+    ChosenSurfels chosen;
     const int most = most_per_wish * wish_ - pencils_.count;
     const std::size_t stride = size % 7919 == 0 ? 1 : 7919;  // a prime: all are visited, neighbours far apart
-    for (std::size_t k = 0, i = 0; k < size && static_cast<int>(chosen.size()) < most; ++k, i = (i + stride) % size) {
+    for (std::size_t k = 0, i = 0; k < size && static_cast<int>(chosen.surfels.size()) < most; ++k, i = (i + stride) % size) {
         const glm::vec3 n(nx[i], ny[i], nz[i]);
         if (n == glm::vec3(0) || (!skip.empty() && skip[i])) continue;
         const int surfel = first + static_cast<int>(i);
         const glm::vec3 p(x[i], y[i], z[i]);
-        const float distance = glm::distance(p, glm::vec3(from[static_cast<std::size_t>(surfel / viewers.texels())].position));
-        if (thinner.add(p, n, glm::clamp(distance, near_spacing * spacing, spacing))) chosen.push_back(surfel);
+        const glm::vec3 viewer(from[static_cast<std::size_t>(surfel / viewers.texels())].position);
+        const float own = glm::clamp(glm::distance(p, viewer), near_spacing * spacing, spacing);
+        if (!thinner.add(p, n, own)) continue;
+        chosen.add(surfel, static_cast<uint>(pencils_.count) + static_cast<uint>(chosen.surfels.size()), viewer, reach * own);
     }
     return chosen;
 }
 
-/// Places pencils on chosen surfels, which the texels of `viewers` see, and traces them; the number of the first.
-int WorldSet::extend(const Surfels& surfels, const std::vector<int>& chosen, const SurfacePencils& viewers) {
-    const int first = pencils_.count, count = static_cast<int>(chosen.size()), texels = pencils_.texels();
+/// Places pencils on chosen surfels and traces them; the number of the first.
+int WorldSet::extend(const Surfels& surfels, const ChosenSurfels& chosen) {
+    const int first = pencils_.count, count = static_cast<int>(chosen.surfels.size()), texels = pencils_.texels();
     if (count == 0) return first;
-    const std::vector<SurfacePencil> from = viewers.data.read(0, static_cast<std::size_t>(viewers.count));
-    ChosenSurfels on;
-    for (std::size_t k = 0; k < chosen.size(); ++k)
-        on.add(chosen[k], static_cast<uint>(first) + static_cast<uint>(k), from[static_cast<std::size_t>(chosen[k] / viewers.texels())].position);
-    place_surface_pencils(kernels_, surfels, on, reach * spacing_, pencils_);
+    place_surface_pencils(kernels_, surfels, chosen, pencils_);
     surfels_.reserve(kernels_.device(), count * texels, "surfels of the world set");
     trace_hemispheres(kernels_, scene_, pencils_, first, count, {seed_}, surfels_, first * texels);
     measure_hemispheres(kernels_, surfels_, first * texels, first, count, pencils_);
@@ -103,7 +101,7 @@ int WorldSet::fill(const Surfels& surfels, const SurfaceLinks& links, const Surf
     std::vector<bool> reached;
     for (const glm::ivec4& link : links.pencils.read()) reached.push_back(link.x >= 0 && link.y != LINK_LAST_RESORT);
     const int before = pencils_.count;
-    extend(surfels, choose(surfels, 0, reached, viewers, fill_spacing * spacing_, thinner), viewers);
+    extend(surfels, choose(surfels, 0, reached, viewers, fill_spacing * spacing_, thinner));
     return pencils_.count - before;
 }
 

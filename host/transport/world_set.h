@@ -23,9 +23,9 @@ public:
     const SurfaceLinks& links() const { return links_; }  // of the surfels
 
 private:
-    std::vector<int> choose(const Surfels& surfels, int first, const std::vector<bool>& skip, const SurfacePencils& viewers, float spacing,
-                            PointThinner& thinner);
-    int extend(const Surfels& surfels, const std::vector<int>& chosen, const SurfacePencils& viewers);
+    ChosenSurfels choose(const Surfels& surfels, int first, const std::vector<bool>& skip, const SurfacePencils& viewers, float spacing,
+                         PointThinner& thinner) const;
+    int extend(const Surfels& surfels, const ChosenSurfels& chosen);
     int fill(const Surfels& surfels, const SurfaceLinks& links, const SurfacePencils& viewers, PointThinner& thinner);
 
     Kernels& kernels_;

@@ -49,7 +49,8 @@ inline PencilLinks nearest_pencils(global const SurfacePencil *pencils, PencilGr
         global const int *index = (global const int *)(block + ENTRY_PENCIL * PENCIL_WIDTH);
         vfloat distance, cosine;
         int level, reached = block_reaches(block, x, n, &distance, &cosine, &level);
-        vfloat closeness = fmax(1.0f - distance / PACKET_LOAD(block + ENTRY_RADIUS * PENCIL_WIDTH), (vfloat)(0.0f));
+        vfloat radius = PACKET_LOAD(block + ENTRY_RADIUS * PENCIL_WIDTH);
+        vfloat closeness = fmax(1.0f / radius - distance / (radius * radius), (vfloat)(0.0f));
         vfloat weight = closeness * closeness * cosine;
         for (int bits = level; bits; bits &= bits - 1) {
             int l = LOWEST_LANE(bits);

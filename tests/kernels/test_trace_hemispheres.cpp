@@ -166,8 +166,8 @@ Traced on_floor(Kernels& kernels, const TestScene& scene, const dvec3& x, const 
     surfels.data.write(values);
     SurfacePencils pencils(device(), 1, n);
     ChosenSurfels chosen;
-    chosen.add(0, 0, to_float4(eye));
-    place_surface_pencils(kernels, surfels, chosen, 0.1F, pencils);
+    chosen.add(0, 0, glm::vec3(eye), 0.1F);
+    place_surface_pencils(kernels, surfels, chosen, pencils);
     Traced t = trace(kernels, scene, pencils.data.read(0, 1), n);
     measure_hemispheres(kernels, t.surfels, 0, 0, 1, t.pencils);
     return t;
