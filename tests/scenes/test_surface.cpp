@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "reference/form_factor_ref.h"
+#include "reference/path_tracer.h"
+#include "scene/load_scene.h"
 #include "scenes/known_scenes.h"
 #include "scenes/scene_builder.h"
 
@@ -113,6 +115,34 @@ TEST(Surface, NoLightThroughWalls) {
         std::printf("leak of the surface method through a wall of %g: %.2e\n", thickness, dark / lit);
         EXPECT_LT(dark / lit, 1e-3) << thickness;
     }
+}
+
+/// Mean radiance of columns 0 .. size / 2 of the lower half, by channel.
+dvec3 mean_of_quarter(const Layer& image, int size) {
+    dvec3 sum(0);
+    for (int y = size / 2; y < size; ++y)
+        for (int x = 0; x < size / 2; ++x)
+            for (int c = 0; c < 3; ++c) sum[c] += static_cast<double>(image.pixels[static_cast<std::size_t>((y * size + x) * 3 + c)]);
+    return sum / (0.25 * size * size);
+}
+
+/// A furnished room of light walls, where light is lost or gained at every bounce if world pencils near contacts count too much or too
+/// little: the lit room of thin walls, lower left.
+TEST(Surface, BouncesKeepTheLight) {
+    const Scene scene = load_scene(std::filesystem::path(PENCIL_SOURCE_DIR) / "scenes" / "thin-walls.xml");
+    constexpr int size = 48;
+    ReferenceOptions reference;
+    reference.spp = 1024;
+    reference.width = reference.height = size;
+    const dvec3 truth = mean_of_quarter(trace_paths(scene, reference).layers.front(), size);
+    RenderOptions options;
+    options.method = Method::surface;
+    options.pencils = 800;
+    options.width = options.height = size;
+    options.target_error = 3e-4;
+    const dvec3 ratio = mean_of_quarter(layer(render_layers(scene, options), ""), size) / truth;
+    std::printf("surface method over path tracer: %.4f %.4f %.4f\n", ratio.x, ratio.y, ratio.z);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(ratio[c], 1.0, 0.007) << "channel " << c;
 }
 
 TEST(Surface, TwoRendersAreBitwiseEqual) {
