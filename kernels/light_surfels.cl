@@ -21,7 +21,8 @@ inline void add_light_sample(const SurfelPacket *s, const VisibilityMap *map, fl
 }
 
 /// launch : 1-D, one work-item per block of PENCIL_BLOCK packets of PENCIL_WIDTH surfels
-/// in     : surfels; samples[sample_count]; cops[sample_count]; cells, groups, hits: tiles of n x n of the samples; with PENCIL_BVH nodes and leaves
+/// in     : surfels; samples[sample_count]; cops[sample_count]; cells, groups, hits: tiles of n x n of the samples; with PENCIL_BVH nodes
+/// and leaves
 ///          instead
 /// out    : outgoing[3][capacity] [W m^-2 sr^-1], added to if `accumulate`
 kernel void light_surfels(global const float *surfels, int capacity, int surfel_count, global const LightSample *samples, int sample_count,

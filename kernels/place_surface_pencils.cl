@@ -5,12 +5,12 @@
 #define PLACE_SHARE 1e-2f
 
 /// launch : 1-D, one work-item per new pencil
-/// in     : surfels; chosen[count]: the surfel of each pencil; keys[count]: its key; views[count]: xyz: where that surfel was seen from, w: radius [scene units]
-/// out    : pencils[first ..]: position, normal, facing, plane; the rest is 0 until they are traced and summed
-/// A pencil lies a little nearer to its viewer than the surfel: where two walls meet, it must lie on the side of the second wall that was
+/// in     : surfels; chosen[count]: the surfel of each pencil; keys[count]: its key; views[count]: xyz: where that surfel was seen from, w:
+/// radius [scene units] out    : pencils[first ..]: position, normal, facing, plane; the rest is 0 until they are traced and summed A
+/// pencil lies a little nearer to its viewer than the surfel: where two walls meet, it must lie on the side of the second wall that was
 /// seen.
-kernel void place_surface_pencils(global const float *surfels, int capacity, global const int *chosen, global const uint *keys, global const float4 *views,
-                                  int count, float spacing, int first, global SurfacePencil *pencils) {
+kernel void place_surface_pencils(global const float *surfels, int capacity, global const int *chosen, global const uint *keys,
+                                  global const float4 *views, int count, float spacing, int first, global SurfacePencil *pencils) {
     int item = get_global_id(0);
     if (item >= count) return;
     global const float *s = surfels + chosen[item];

@@ -120,7 +120,8 @@ std::vector<float> near_areas(const FlatScene& flat, const std::vector<LightSamp
     std::vector<float> areas(flat.materials.size(), std::numeric_limits<float>::infinity());
     for (const LightSample& s : samples) {
         if (s.position.w == 0.0F) continue;  // point lights have no surface
-        areas[static_cast<std::size_t>(material_of_plane[std::min(static_cast<std::size_t>(s.emission.w), material_of_plane.size() - 1)])] = s.normal.w;
+        areas[static_cast<std::size_t>(material_of_plane[std::min(static_cast<std::size_t>(s.emission.w), material_of_plane.size() - 1)])] =
+            s.normal.w;
     }
     return areas;
 }

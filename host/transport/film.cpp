@@ -31,9 +31,7 @@ double film_bytes(double pixels, int samples) {
 }
 
 Film::Film(Kernels& kernels, const DeviceScene& scene, const Camera& camera, const ReconstructionFilter& filter, const Turn& turn)
-    : camera_(camera),
-      samples_(kernels.features().film_samples),
-      strip_rows_(rows_per_strip(camera, samples_)) {
+    : camera_(camera), samples_(kernels.features().film_samples), strip_rows_(rows_per_strip(camera, samples_)) {
     const auto& device = kernels.device();
     const std::vector<glm::vec2> offsets = film_sample_offsets(samples_, turn.seed, turn.index);
     const FilterTable table = tabulate_filter(filter, offsets);

@@ -26,7 +26,8 @@ FilmPencils::FilmPencils(Kernels& kernels, const Film& film, const FilmLattice& 
       pencil_at_(kernels.device(), at_, "film pencils by pixel"),
       pencils_(kernels.device(), 1, lattice.map),
       singles_(kernels.device(), 1, single_map),
-      single_at_(kernels.device(), std::vector<int>(static_cast<std::size_t>(film.surfels().capacity), -1), "single film pencils by surfel") {
+      single_at_(kernels.device(), std::vector<int>(static_cast<std::size_t>(film.surfels().capacity), -1),
+                 "single film pencils by surfel") {
     std::vector<int> pixels;
     const int width = film.width(), height = film.height(), step = lattice.coarsest;
     for (int y = 0;; y = std::min(y + step, height - 1)) {
@@ -68,17 +69,18 @@ std::vector<unsigned char> FilmPencils::uncovered(int spacing) {
 
 /// New lattice points, at half the spacing, of all cells that hold uncovered surfels.
 std::vector<int> FilmPencils::finer_pixels(const std::vector<unsigned char>& uncovered, int spacing) const {
-    const int width = film_.width(), height = film_.height(), half = spacing / 2;
+    const auto width = static_cast<std::size_t>(film_.width()), height = static_cast<std::size_t>(film_.height()),
+               step = static_cast<std::size_t>(spacing);
     std::vector<bool> wanted(counts_.size(), false);
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
-            const auto pixel = static_cast<std::size_t>(y * width + x);
+    for (std::size_t y = 0; y < height; ++y)
+        for (std::size_t x = 0; x < width; ++x) {
+            const std::size_t pixel = y * width + x;
             const auto first = uncovered.begin() + first_[pixel], last = first + (counts_[pixel] & FILM_COUNT_MASK);
             if (std::find(first, last, 1) == last) continue;
-            for (int dy = 0; dy <= 2; ++dy)
-                for (int dx = 0; dx <= 2; ++dx)
-                    wanted[static_cast<std::size_t>(std::min(y / spacing * spacing + dy * half, height - 1) * width +
-                                                    std::min(x / spacing * spacing + dx * half, width - 1))] = true;
+            const std::size_t left = x / step * step, top = y / step * step;
+            for (std::size_t py = top; py <= top + step; py += step / 2)
+                for (std::size_t px = left; px <= left + step; px += step / 2)
+                    wanted[std::min(py, height - 1) * width + std::min(px, width - 1)] = true;
         }
     std::vector<int> pixels;
     for (std::size_t p = 0; p < wanted.size(); ++p)

@@ -8,7 +8,7 @@ namespace pencil {
 
 struct FilmLattice {
     int coarsest = 8;         // spacing [pixels]
-    float most_error = 0.5F;       // reuse_error
+    float most_error = 0.5F;  // reuse_error
     int map = 16;
     float smooth = 0.5F;
 };

@@ -35,7 +35,7 @@ DeviceScene prepare_scene(RenderContext& context) {
 
 int light_map_size(int map) { return std::max(map, std::min(light_map_factor * map, largest_light_map)); }
 
-RenderContext::RenderContext(const Scene& scene_to_render, const RenderOptions& render_options, std::shared_ptr<Device> device,
+RenderContext::RenderContext(const Scene& scene_to_render, const RenderOptions& render_options, const std::shared_ptr<Device>& device,
                              const Progress& progress)
     : scene(scene_to_render),
       options(render_options),

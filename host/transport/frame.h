@@ -17,7 +17,7 @@ int light_map_size(int map);
 
 /// What is made once per render, whatever the method and however many frames it takes.
 struct RenderContext {
-    RenderContext(const Scene& scene, const RenderOptions& options, std::shared_ptr<Device> device, const Progress& progress);
+    RenderContext(const Scene& scene, const RenderOptions& options, const std::shared_ptr<Device>& device, const Progress& progress);
 
     /// Reflections of order `order` are part of the image (1 is direct light).
     bool wanted(int order) const { return options.bounces < 0 || order <= options.bounces; }

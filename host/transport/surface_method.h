@@ -21,8 +21,8 @@ struct SurfacePass {
 };
 
 /// Pass `index`: each generation has twice the passes of the last, with smaller reuse errors, more pencils and more light samples, and two
-/// world sets; `emitters`: shapes that light samples are spread over. The exponents keep the error of interpolation below the noise of the mean as both
-/// fall (docs/accuracy.md).
+/// world sets; `emitters`: shapes that light samples are spread over. The exponents keep the error of interpolation below the noise of the
+/// mean as both fall (docs/accuracy.md).
 SurfacePass surface_pass(int index, const RenderOptions& options, const Camera& film, int emitters);
 
 class SurfaceMethod {

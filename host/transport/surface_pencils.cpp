@@ -25,7 +25,10 @@ void for_cells(const PencilGrid& grid, const SurfacePencil& pencil, Visit visit)
     const glm::ivec3 low = cell_of(grid, at - radius), high = cell_of(grid, at + radius);
     for (int z = low.z; z <= high.z; ++z)
         for (int y = low.y; y <= high.y; ++y)
-            for (int x = low.x; x <= high.x; ++x) visit(static_cast<std::size_t>((z * grid.size_y + y) * grid.size_x + x));
+            for (int x = low.x; x <= high.x; ++x) {
+                const int cell = (z * grid.size_y + y) * grid.size_x + x;
+                visit(static_cast<std::size_t>(cell));
+            }
 }
 
 }  // namespace
@@ -86,8 +89,8 @@ void trace_hemispheres(Kernels& kernels, const DeviceScene& scene, const Surface
     const int texels = count * pencils.texels();
     surfels.count = first_surfel + texels;
     kernels.get("trace_hemispheres")
-        .args(pencils.data, first, count, pencils.n, points.seed, sobol_2d(points.turn), scene.nodes, scene.leaves, scene.triangles, scene.planes,
-              scene.materials, scene.normals, surfels.data, surfels.capacity, first_surfel)
+        .args(pencils.data, first, count, pencils.n, points.seed, sobol_2d(points.turn), scene.nodes, scene.leaves, scene.triangles,
+              scene.planes, scene.materials, scene.normals, surfels.data, surfels.capacity, first_surfel)
         .run(kernels.packets(texels), "trace hemispheres");
 }
 

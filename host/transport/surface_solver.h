@@ -21,8 +21,8 @@ struct SurfaceLights {
 
 class SurfaceSolver {
 public:
-    SurfaceSolver(Kernels& kernels, const DeviceScene& scene, const FlatScene& flat, SurfaceLights lights,
-                  const WorldQuality& quality, StageClock& clock, uint seed);
+    SurfaceSolver(Kernels& kernels, const DeviceScene& scene, const FlatScene& flat, SurfaceLights lights, const WorldQuality& quality,
+                  StageClock& clock, uint seed);
 
     /// Places the world set from what the texels of `seeds` see and iterates bounces. Orders of reflection up to `orders` (-1: until the
     /// tolerance).
@@ -48,9 +48,9 @@ private:
     StageClock& clock_;
     uint seed_;
     WorldSet world_;
-    Surfels surfels_;         // of one chunk of gather()
-    Buffer<float> outgoing_;  // their radiance
-    bool direct_ = true;      // reflections of order 2 are part of the image
+    Surfels surfels_;            // of one chunk of gather()
+    Buffer<float> outgoing_;     // their radiance
+    bool direct_ = true;         // reflections of order 2 are part of the image
     std::uint64_t gathers_ = 0;  // so far: each draws other light samples
     double residual_ = 0;
 };

@@ -20,7 +20,8 @@ void rasterize(benchmark::State& state) {
     compare(
         state, {product(static_cast<long long>(rows) * rows, "pixels", samples, "samples"), count, count * sizeof(Hit), {"bench film"}},
         [&] {
-            rasterize_film(bench.kernels, bench.on_device, bench.flat.camera, film.device_offsets, samples, 0, rows, film.hits, "bench film");
+            rasterize_film(bench.kernels, bench.on_device, bench.flat.camera, film.device_offsets, samples, 0, rows, film.hits,
+                           "bench film");
         },
         [&] { film.rasterize_native(); },
         [&] { return differences(triangles_of(film.hits.read()), triangles_of(film.native_hits), 1e-4); });

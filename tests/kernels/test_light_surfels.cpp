@@ -121,7 +121,8 @@ private:
 
 TEST(SampleLights, IsLightSurfelsInTheMean) {
     RayRoom room(101, 30, 24);
-    Buffer<float> all = surfel_rgb(device(), room.surfels.capacity, "all"), sampled = surfel_rgb(device(), room.surfels.capacity, "sampled");
+    Buffer<float> all = surfel_rgb(device(), room.surfels.capacity, "all"),
+                  sampled = surfel_rgb(device(), room.surfels.capacity, "sampled");
     light_surfels(room.kernels, room.on_device, room.surfels, room.lights, all, "test");
     constexpr int runs = 2000;
     for (int run = 0; run < runs; ++run)

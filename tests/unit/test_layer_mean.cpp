@@ -56,7 +56,8 @@ double estimate_over_truth(int images, double second, double power) {
 TEST(LayerMean, EstimatesTheErrorOfTheMean) {
     for (const int images : {2, 3, 4, 5, 10, 40}) EXPECT_NEAR(estimate_over_truth(images, 1.0, 0.0), 1.0, 0.05) << images << " images";
     EXPECT_NEAR(estimate_over_truth(2, 2.0, 1.0), 1.0, 0.05);
-    for (const double power : {-1.0, 0.0, 1.0}) EXPECT_NEAR(estimate_over_truth(40, 2.0, power), 1.0, 0.1) << "variance by weight^" << -power;
+    for (const double power : {-1.0, 0.0, 1.0})
+        EXPECT_NEAR(estimate_over_truth(40, 2.0, power), 1.0, 0.1) << "variance by weight^" << -power;
 }
 
 /// What later images of a sequence take back is no error of the mean, and is not taken for one.
