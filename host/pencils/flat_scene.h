@@ -26,7 +26,7 @@ struct FlatScene {
     std::vector<Material> materials;  // one per shape
     std::vector<float4> normals;      // three per triangle, empty if no shape has vertex normals
     Camera camera{};
-    std::vector<float4> to_film;     // three rows, see rasterize_film.cl
+    std::vector<float4> to_film;     // three rows, see bound_film.cl
     glm::dvec3 low{0.0}, high{0.0};  // bounds of geometry and lights [scene units]
 };
 

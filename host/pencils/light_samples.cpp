@@ -51,21 +51,22 @@ std::vector<ShapeTriangles> emitting_shapes(const Scene& scene, const FlatScene&
     return emitters;
 }
 
-/// Samples of one shape: `count` after `before`.
-struct SampleRange {
+/// How one shape is sampled.
+struct ShapeSamples {
     long count;
-    double before;
+    std::uint64_t seed, turn;
 };
 
 /// Systematic in the area, so that each triangle gets its share to within one sample; low-discrepancy within the triangles and from one set
 /// to the next.
-void sample_shape(const ShapeTriangles& e, const FlatScene& flat, const glm::dvec3& radiance, const SampleRange& own, std::uint64_t seed,
+void sample_shape(const ShapeTriangles& e, const FlatScene& flat, const glm::dvec3& radiance, const ShapeSamples& own,
                   std::vector<LightSample>& samples) {
-    const double start = fraction(random_unit(seed, 2, 0) + own.before * golden_ratio), step = e.area / static_cast<double>(own.count);
-    // Threes stay together: what earlier sets used of a triangle is rounded up to them.
+    const double start = fraction(random_unit(own.seed, 2, 0) + static_cast<double>(own.turn) * golden_ratio);
+    const double step = e.area / static_cast<double>(own.count);
+    // Threes stay together: a turn has room for all that a triangle may get, rounded up to them.
     const auto used = [&](std::size_t t) {
-        const double share = (e.up_to[t] - (t > 0 ? e.up_to[t - 1] : 0.0)) / e.area;
-        return 3 * static_cast<std::uint64_t>(std::ceil(own.before * share / 3.0));
+        const double area = e.up_to[t] - (t > 0 ? e.up_to[t - 1] : 0.0);
+        return own.turn * 3 * static_cast<std::uint64_t>(std::ceil(area / step / 3.0));
     };
     std::size_t triangle = 0;
     std::uint64_t within = used(0);
@@ -73,7 +74,7 @@ void sample_shape(const ShapeTriangles& e, const FlatScene& flat, const glm::dve
         const double at = (static_cast<double>(k) + start) * step;
         while (triangle + 1 < e.up_to.size() && e.up_to[triangle] <= at) within = used(++triangle);
         const Triangle& t = *e.triangles[triangle];
-        const glm::dvec2 shift(random_unit(seed, 0, triangle), random_unit(seed, 1, triangle));
+        const glm::dvec2 shift(random_unit(own.seed, 0, triangle), random_unit(own.seed, 1, triangle));
         samples.push_back(area_sample(t, flat.planes[static_cast<std::size_t>(t.plane)], radiance, step, triangle_point(within, shift)));
     }
 }
@@ -92,7 +93,7 @@ std::vector<LightForm> choose_light_forms(const Scene& scene, bool all_samples, 
 }
 
 std::vector<LightSample> sample_lights(const Scene& scene, const FlatScene& flat, const std::vector<LightForm>& forms, int count,
-                                       std::uint64_t seed, std::uint64_t before) {
+                                       std::uint64_t seed, std::uint64_t turn) {
     std::vector<LightSample> samples;
     const double scale = flat.normalisation.scale;
     for (const PointLight& light : scene.point_lights) {
@@ -109,7 +110,7 @@ std::vector<LightSample> sample_lights(const Scene& scene, const FlatScene& flat
         const glm::dvec3 radiance(scene.shapes[e.shape].radiance);
         const double share = e.area * luminance(scene.shapes[e.shape].radiance) / total;
         const long own = std::max(std::lround(share * count), 1L);
-        sample_shape(e, flat, radiance, {own, share * static_cast<double>(before)}, hash64(seed) ^ e.shape, samples);
+        sample_shape(e, flat, radiance, {own, hash64(seed) ^ e.shape, turn}, samples);
     }
     return samples;
 }

@@ -9,10 +9,10 @@
 namespace pencil {
 
 /// One sample per point light, and `count` (at least one per emitting shape) over the area emitters of form `samples`, in proportion
-/// to their power. Radiance is unchanged by the scene's scale; intensities and areas are turned into scene units. `before`: samples that
-/// earlier sets of this seed had; sets that follow each other fill the emitters evenly.
+/// to their power. Radiance is unchanged by the scene's scale; intensities and areas are turned into scene units. Sets of one seed in
+/// successive turns fill the emitters evenly.
 std::vector<LightSample> sample_lights(const Scene& scene, const FlatScene& flat, const std::vector<LightForm>& forms, int count,
-                                       std::uint64_t seed, std::uint64_t before = 0);
+                                       std::uint64_t seed, std::uint64_t turn = 0);
 
 /// Per material: area over pi that each light sample of an emitter stands for [scene units^2]; infinite for emitters without samples. Light
 /// samples carry the share r^2 / (r^2 + that) of the light to a point at distance r.

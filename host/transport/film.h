@@ -13,7 +13,7 @@ namespace pencil {
 
 class Film {
 public:
-    /// Rasterises the scene for the camera and makes the surfels (launchers of rasterize_film, classify_film, film_surfels).
+    /// Rasterises the scene for the camera and makes the surfels (launchers of classify_film, film_surfels).
     Film(Kernels& kernels, const DeviceScene& scene, const Camera& camera, const ReconstructionFilter& filter, const Turn& turn);
 
     const Surfels& surfels() const { return surfels_; }

@@ -16,6 +16,24 @@ constexpr double most_new = 0.2;
 
 }  // namespace
 
+SurfacePencils seed_pencils(Kernels& kernels, const Film& film, int spacing, int map) {
+    const std::vector<unsigned char> counts = film.counts().read();
+    const std::vector<int> first = film.first_surfel().read();
+    const int columns = (film.width() + spacing - 1) / spacing, rows = (film.height() + spacing - 1) / spacing;
+    std::vector<bool> seeded(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), false);
+    ChosenSurfels chosen;
+    for (std::size_t pixel = 0; pixel < counts.size(); ++pixel) {
+        const int x = static_cast<int>(pixel) % film.width(), y = static_cast<int>(pixel) / film.width();
+        const int cell = y / spacing * columns + x / spacing;
+        if (seeded[static_cast<std::size_t>(cell)] || (counts[pixel] & FILM_COUNT_MASK) == 0) continue;
+        seeded[static_cast<std::size_t>(cell)] = true;
+        chosen.add(first[pixel], static_cast<uint>(pixel), glm::vec3(film.eye()));
+    }
+    SurfacePencils seeds(kernels.device(), 1, map);
+    place_surface_pencils(kernels, film.surfels(), chosen, seeds);
+    return seeds;
+}
+
 FilmPencils::FilmPencils(Kernels& kernels, const Film& film, const FilmLattice& lattice)
     : kernels_(kernels),
       film_(film),

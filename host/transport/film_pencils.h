@@ -7,18 +7,18 @@
 namespace pencil {
 
 struct FilmLattice {
-    int coarsest = 8;         // spacing [pixels]
-    float most_error = 0.5F;  // reuse_error
-    int map = 16;
-    float smooth = 0.5F;
+    int coarsest;      // spacing [pixels]
+    float most_error;  // reuse_error
+    int map;           // width of the maps
+    float smooth;      // reuse_error at which neighbours are not smoothed over
 };
+
+/// A pencil for each cell of spacing x spacing pixels that shows something, on the first of its surfels, with maps of map x map texels.
+SurfacePencils seed_pencils(Kernels& kernels, const Film& film, int spacing, int map);
 
 class FilmPencils {
 public:
     FilmPencils(Kernels& kernels, const Film& film, const FilmLattice& lattice);
-
-    /// The pencils of the coarsest lattice, placed and not yet gathered.
-    SurfacePencils& pencils() { return pencils_; }
 
     /// Gathers, refines, gathers.
     void refine(SurfaceSolver& solver, const TexelPoints& points);

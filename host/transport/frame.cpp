@@ -61,7 +61,7 @@ Frame::Frame(RenderContext& context, const std::vector<std::string>& aovs, int l
 
 void Frame::make_lights(int count, int map, const Turn& turn) {
     if (context_.options.bounces == 0) return;  // emission only
-    samples_ = sample_lights(context_.scene, context_.flat, context_.forms, count, turn.seed, turn.lights_before);
+    samples_ = sample_lights(context_.scene, context_.flat, context_.forms, count, turn.seed, turn.index);
     if (samples_.empty()) return;
     lights_ = LightSet(context_.kernels.device(), samples_, map);
     if (map > 0) make_geometry_maps(context_.kernels, context_.device_scene, lights_.maps, 0, lights_.maps.count);

@@ -63,7 +63,8 @@ void LayerMean::begin_generation(int generation) {
 }
 
 /// Square of the error that the images of this generation share. The halves are independent but for such errors: the product of their steps
-/// from the last generation is free of noise in the mean, and is three times that square if it halves from each generation to the next.
+/// from the last generation is free of noise in the mean. It is three times that square if generations err independently and the square
+/// halves from each to the next; where they err alike, and errors of interpolation do, it is less.
 double LayerMean::shared_square() const {
     const double expected = 0.5 * last_square_;
     for (std::size_t half = 0; half < 2; ++half)  // steps to the first images of a generation hold little but noise
@@ -93,7 +94,8 @@ double LayerMean::mean_square_noise() const {
     return relative_mean([&](std::size_t i) { return variance_of_mean(i); });
 }
 
-/// Of what generations share, as if it had one sign in all of them: errors of interpolation do.
+/// What the mean keeps of that if all generations err alike. Independence in shared_square and likeness here lie on either side of the
+/// truth: together they fit the scenes that were measured (docs/accuracy.md).
 double LayerMean::shared_square_error() const {
     double sum = 0, growth = 1;
     for (std::size_t g = weights_.size(); g-- > 0; growth *= std::sqrt(2.0)) sum += weights_[g] / weight_ * growth;

@@ -1,7 +1,6 @@
 #include "transport/render.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "pencils/low_discrepancy.h"
@@ -98,14 +97,11 @@ private:
     RenderResult render_passes() {
         LayerMean mean;
         SurfaceMethod method(context_);
-        std::array<std::uint64_t, LayerMean::sequences> lights{};  // light samples that each sequence has had
         double spent = seconds();
         for (int index = 0;; ++index) {
             const SurfacePass pass = surface_pass(index, context_.options, context_.flat.camera, emitters());
             const auto sequence = static_cast<std::uint64_t>(index) % LayerMean::sequences;
-            const Turn turn{hash64(hash64(context_.options.seed) - sequence - 1), static_cast<std::uint64_t>(index) / LayerMean::sequences,
-                            lights[sequence]};
-            lights[sequence] += static_cast<std::uint64_t>(pass.light_samples);
+            const Turn turn{hash64(hash64(context_.options.seed) - sequence - 1), static_cast<std::uint64_t>(index) / LayerMean::sequences};
             bool lit = false;
             try {
                 Frame frame(context_, index == 0 ? aovs_ : light_layers(aovs_), pass.light_samples, 0, turn);
@@ -138,11 +134,11 @@ private:
     /// True if the next pass is not needed or would not end in time; `pace`: seconds per unit of work.
     bool enough(const LayerMean& mean, int index, double pace) {
         const RenderOptions& options = context_.options;
-        const double error = mean.relative_mean_square_error();
         if (options.seconds > 0) {
             context_.clock.set_fraction(std::min(seconds() / options.seconds, 1.0));
             return seconds() + pace * surface_pass(index + 1, options, context_.flat.camera, emitters()).work > options.seconds;
         }
+        const double error = mean.relative_mean_square_error();
         if (mean.count() >= 2) context_.clock.set_fraction(std::min(options.target_error / error, 1.0));
         if (mean.count() >= 2 && !std::isfinite(error)) {
             context_.stats.warnings.push_back("the image holds values that are not finite: stopped, the error is not known");

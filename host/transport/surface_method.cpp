@@ -9,7 +9,7 @@ namespace pencil {
 
 namespace {
 
-/// Spacing of the film pencils whose texels show where light is reflected, in terms of the coarsest of the first pass.
+/// Spacing of the pencils whose texels show where light is reflected, in terms of the coarsest of the first pass.
 constexpr int seed_spacing = 4;
 /// Width of the maps of film pencils: more pencils with few texels reach further than few with many, once passes enough fill the texels.
 constexpr int film_map = 8, fine_film_map = 4;
@@ -80,14 +80,14 @@ void SurfaceMethod::solve_world(const SurfacePass& pass, const Frame& frame) {
     solver_ = std::make_unique<SurfaceSolver>(context_.kernels, context_.device_scene, context_.flat, std::move(lights), pass.world,
                                               context_.clock, static_cast<uint>(seed >> 32));
     const int spacing = seed_spacing * coarsest_spacing(context_.flat.camera);
-    FilmPencils seeds(context_.kernels, frame.film(), {spacing, 0.0F, film_map, 0.0F});
-    solver_->solve(seeds.pencils(), context_.options.bounces, context_.options.tolerance);
+    solver_->solve(seed_pencils(context_.kernels, frame.film(), spacing, film_map), context_.options.bounces, context_.options.tolerance);
     context_.stats.world_pencils += static_cast<std::uint64_t>(solver_->world().count);
     context_.stats.residual = solver_->residual();
 }
 
 void SurfaceMethod::add_bounces(const SurfacePass& pass, const Turn& turn, Frame& frame) {
-    if (!context_.wanted(1) || context_.clock.stopped() || frame.film().surfels().count == 0) return;
+    if (!context_.wanted(1) || context_.clock.stopped()) return;
+    if (frame.film().surfels().count == 0) return frame.finish_bounce(FilmLayers::indirect, 0, 0);  // passes have the same layers
     if (pass.world_set != world_set_) solve_world(pass, frame);
     if (context_.clock.stopped()) return;
     FilmPencils film(context_.kernels, frame.film(), pass.lattice);

@@ -1,5 +1,5 @@
 // Indirect light by pencils on surfaces: a world set for all bounces, film pencils that gather from it, and the film lit by them. An image
-// is the mean of independent passes, which grow finer: noise and interpolation error both fall with time.
+// is the mean of passes, which grow finer: noise and interpolation error both fall with time.
 #pragma once
 
 #include "transport/film_pencils.h"

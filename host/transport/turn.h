@@ -7,9 +7,8 @@ namespace pencil {
 
 /// Images of one seed continue each other's sample sequences from turn to turn.
 struct Turn {
-    std::uint64_t seed = 0;
-    std::uint64_t index = 0;          // of the image
-    std::uint64_t lights_before = 0;  // light samples of the images before it
+    std::uint64_t seed = 0;   // of the sequence
+    std::uint64_t index = 0;  // of the image
 };
 
 }  // namespace pencil

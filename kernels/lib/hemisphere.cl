@@ -1,7 +1,7 @@
 // The map of a surface pencil: n x n texels over the hemisphere about a normal, of equal cosine-weighted solid angle pi / n^2, by the
 // concentric map of square to disc (Shirley and Chiu 1997) and Malley's projection of the disc. DEVIATION: not octahedral: an octahedral
 // map would spend half of its texels below the surface and most of the others where the cosine is small. Each texel is seen through one
-// point of it, random for each key: sums over texels are unbiased. n is a multiple of 4. Needs packet.cl, hash.cl.
+// point of it, random for each key and shifted from turn to turn: sums over texels are unbiased. n is a multiple of 4. Needs packet.cl, hash.cl.
 
 /// Texel of map entry `i`: entries run through blocks of 4 x 4 texels, so that packets see neighbouring things.
 inline int2 hemisphere_texel(int i, int n) {
