@@ -59,7 +59,7 @@ SurfacePass surface_pass(int index, const RenderOptions& options, const Camera& 
     pass.world.pencils = static_cast<int>(std::lround(std::min(options.pencils * std::min(grown(1.0), 64.0), 1048576.0)));
     pass.world.light_draws = light_draws;
     pass.lattice.coarsest = coarsest_spacing(film) / (fine ? 2 : 1);
-    pass.lattice.most_error = static_cast<float>((fine ? 0.156 : 0.2275) * grown(-0.5));
+    pass.lattice.most_error = static_cast<float>((fine ? 0.178 : 0.26) * grown(-0.55));
     pass.lattice.smooth = static_cast<float>((fine ? 0.52 : 0.325) * grown(-0.35));
     pass.lattice.map = fine ? fine_film_map : film_map;
     pass.work = grown(0.5);
