@@ -34,17 +34,21 @@ METRICS = {  # key: (label, factor, unit)
 VERDICT_TIMES = [0.1, 1, 10]
 
 
-def error_of(row, metric):
-    return float(row["rel_mse"]) ** 0.5 if metric == "relative_error" else float(row[metric])
+def error_of(row, metric, noise):
+    """The relative error is without the noise of the reference, as in summary.cpp (above_reference_noise)."""
+    if metric != "relative_error":
+        return float(row[metric])
+    rel_mse = float(row["rel_mse"])
+    return max(rel_mse - noise, 0.05 * rel_mse) ** 0.5
 
 
-def curve(rows, metric):
+def curve(rows, metric, noise):
     """Per budget: median time, root mean square of the error over the seeds."""
     points = []
     for budget in sorted({int(row["budget"]) for row in rows}):
         runs = [row for row in rows if int(row["budget"]) == budget]
         time = statistics.median(float(run["seconds"]) for run in runs)
-        error = (sum(error_of(run, metric) ** 2 for run in runs) / len(runs)) ** 0.5
+        error = (sum(error_of(run, metric, noise) ** 2 for run in runs) / len(runs)) ** 0.5
         points.append((time, error))
     return sorted(points)
 
@@ -77,22 +81,22 @@ def draw(summary, rows, metric, theme, file):
     axes.set_title(label, loc="left", color=theme["ink"], fontsize=11)
     for time in VERDICT_TIMES:
         axes.axvline(time, color=theme["faint"], linewidth=0.7, linestyle=(0, (2, 3)), zorder=1)
+    noise = summary["reference"]["noise_rel_mse"] or 0.0
     for index, method in enumerate(summary["methods"]):
         mine = [row for row in rows if row["method"] == method["name"]]
-        points = [(t, factor * e) for t, e in curve(mine, metric) if e > 0]
+        points = [(t, factor * e) for t, e in curve(mine, metric, noise) if e > 0]
         if not points:
             continue
         colour = theme["base"] if index == 0 else COLOURS[(index - 1) % len(COLOURS)]
         marker = MARKERS[index % len(MARKERS)]
-        axes.plot([float(r["seconds"]) for r in mine], [factor * error_of(r, metric) for r in mine], marker, color=colour, alpha=0.3,
+        axes.plot([float(r["seconds"]) for r in mine], [factor * error_of(r, metric, noise) for r in mine], marker, color=colour, alpha=0.3,
                   markersize=3, linestyle="none")
         axes.plot(*zip(*points), marker=marker, color=colour, markersize=5.5, linewidth=2, linestyle="--" if index == 0 else "-",
                   label=method["name"], zorder=3)
         fit = method["fits"][metric]
         if fit["floor_visible"]:
             axes.axhline(factor * fit["floor"], color=colour, linewidth=1, linestyle=":", zorder=2)
-    noise = summary["reference"]["noise_rel_mse"]
-    if main and noise:
+    if main and noise > 0:
         axes.axhline(factor * noise ** 0.5, color=theme["faint"], linewidth=1, linestyle="-.", label="noise of the reference")
     low, high = axes.get_ylim()
     axes.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0) if high > 8 * low else (1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0)))
