@@ -121,8 +121,9 @@ std::vector<float> near_areas(const FlatScene& flat, const std::vector<LightSamp
     std::vector<float> areas(flat.materials.size(), std::numeric_limits<float>::infinity());
     for (const LightSample& s : samples) {
         if (s.position.w == 0.0F) continue;  // point lights have no surface
-        areas[static_cast<std::size_t>(material_of_plane[std::min(static_cast<std::size_t>(s.emission.w), material_of_plane.size() - 1)])] =
-            s.normal.w;
+        // A float holds the index; beyond 2^24 planes it may be rounded, but not out of the list.
+        const auto plane = std::min(static_cast<std::size_t>(s.emission.w), material_of_plane.size() - 1);
+        areas[static_cast<std::size_t>(material_of_plane[plane])] = s.normal.w;
     }
     return areas;
 }

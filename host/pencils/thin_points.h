@@ -14,6 +14,8 @@ public:
     /// Kept points exclude points near them whose normals have at least the cosine `alike`; `most`: the largest spacing.
     PointThinner(float most, float alike) : most_(most), alike_(alike), heads_(1024, -1) {}
 
+    float most() const { return most_; }
+
     /// Keeps the point unless one that was kept within `spacing` excludes it; true if it is kept.
     bool add(const glm::vec3& position, const glm::vec3& normal, float spacing) {
         const glm::ivec3 cell = cell_of(position);

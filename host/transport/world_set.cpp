@@ -45,9 +45,9 @@ void WorldSet::cover(const SurfacePencils& seeds) {
     Surfels seen(kernels_.device(), seeds.count * seeds.texels(), "surfels of the seeds");
     trace_hemispheres(kernels_, scene_, seeds, 0, seeds.count, {seed_}, seen);
     PointThinner thinner(spacing_, alike);
-    int first = extend(seen, choose(seen, 0, {}, seeds, spacing_, thinner));
+    int first = extend(seen, choose(seen, 0, {}, seeds, thinner));
     for (int round = 1; round < most_rounds && first < pencils_.count; ++round)
-        first = extend(surfels_, choose(surfels_, first * pencils_.texels(), {}, pencils_, spacing_, thinner));
+        first = extend(surfels_, choose(surfels_, first * pencils_.texels(), {}, pencils_, thinner));
     grid_ = DeviceGrid(kernels_.device(), pencils_, flat_);
     links_ = link_surfels(kernels_, surfels_, pencils_, grid_);
     PointThinner finer(fill_spacing * spacing_, alike);
@@ -58,9 +58,9 @@ void WorldSet::cover(const SurfacePencils& seeds) {
     links_ = link_surfels(kernels_, surfels_, pencils_, grid_);
 }
 
-/// Surfels from number `first` on, seen by `viewers`, but for those to skip, that the thinner keeps.
+/// Surfels from number `first` on, seen by `viewers`, but for those to skip, that the thinner keeps at its spacing, or closer near viewers.
 ChosenSurfels WorldSet::choose(const Surfels& surfels, int first, const std::vector<bool>& skip, const SurfacePencils& viewers,
-                               float spacing, PointThinner& thinner) const {
+                               PointThinner& thinner) const {
     const auto size = static_cast<std::size_t>(surfels.count - first);
     const auto field = [&](int f) {
         return surfels.data.read(static_cast<std::size_t>(f) * static_cast<std::size_t>(surfels.capacity) + static_cast<std::size_t>(first),
@@ -78,7 +78,7 @@ ChosenSurfels WorldSet::choose(const Surfels& surfels, int first, const std::vec
         const int surfel = first + static_cast<int>(i);
         const glm::vec3 p(x[i], y[i], z[i]);
         const glm::vec3 viewer(from[static_cast<std::size_t>(surfel / viewers.texels())].position);
-        const float own = glm::clamp(glm::distance(p, viewer), near_spacing * spacing, spacing);
+        const float own = glm::clamp(glm::distance(p, viewer), near_spacing * thinner.most(), thinner.most());
         if (!thinner.add(p, n, own)) continue;
         chosen.add(surfel, static_cast<uint>(pencils_.count) + static_cast<uint>(chosen.surfels.size()), viewer, reach * own);
     }
@@ -101,7 +101,7 @@ int WorldSet::fill(const Surfels& surfels, const SurfaceLinks& links, const Surf
     std::vector<bool> reached;
     for (const glm::ivec4& link : links.pencils.read()) reached.push_back(link.x >= 0 && link.y != LINK_LAST_RESORT);
     const int before = pencils_.count;
-    extend(surfels, choose(surfels, 0, reached, viewers, fill_spacing * spacing_, thinner));
+    extend(surfels, choose(surfels, 0, reached, viewers, thinner));
     return pencils_.count - before;
 }
 

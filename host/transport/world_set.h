@@ -23,7 +23,7 @@ public:
     const SurfaceLinks& links() const { return links_; }  // of the surfels
 
 private:
-    ChosenSurfels choose(const Surfels& surfels, int first, const std::vector<bool>& skip, const SurfacePencils& viewers, float spacing,
+    ChosenSurfels choose(const Surfels& surfels, int first, const std::vector<bool>& skip, const SurfacePencils& viewers,
                          PointThinner& thinner) const;
     int extend(const Surfels& surfels, const ChosenSurfels& chosen);
     int fill(const Surfels& surfels, const SurfaceLinks& links, const SurfacePencils& viewers, PointThinner& thinner);
