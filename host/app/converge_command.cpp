@@ -8,7 +8,7 @@
 #include "app/option_values.h"
 #include "converge/converge.h"
 #include "scene/load_scene.h"
-#include "scene/read_image.h"
+#include "image/read_image.h"
 #include "util/error.h"
 #include "util/log.h"
 #include "util/progress.h"

@@ -9,7 +9,7 @@
 
 #include "reference/path_tracer.h"
 #include "scene/scene.h"
-#include "transport/render.h"
+#include "render/render.h"
 
 namespace CLI {
 class App;

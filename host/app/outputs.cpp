@@ -7,7 +7,7 @@
 #include <system_error>
 
 #include "app/units.h"
-#include "scene/write_image.h"
+#include "image/write_image.h"
 #include "util/error.h"
 #include "util/output_file.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/options.h"
-#include "scene/write_image.h"
+#include "image/write_image.h"
 
 namespace pencil {
 

@@ -9,8 +9,8 @@
 
 #include "app/options.h"
 #include "cl/device.h"
-#include "scene/write_image.h"
-#include "transport/render.h"
+#include "image/write_image.h"
+#include "render/render.h"
 
 namespace pencil {
 

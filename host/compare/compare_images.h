@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "compare/metrics.h"
-#include "scene/read_image.h"
-#include "scene/write_image.h"
+#include "image/read_image.h"
+#include "image/write_image.h"
 
 namespace pencil {
 

@@ -7,7 +7,7 @@
 
 #include "compare/lab.h"
 #include "compare/metrics.h"
-#include "scene/write_image.h"
+#include "image/write_image.h"
 
 namespace pencil {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "scene/write_image.h"
+#include "image/write_image.h"
 
 namespace pencil {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/read_image.h"
+#include "image/read_image.h"
 
 namespace pencil {
 

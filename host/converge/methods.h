@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "transport/render.h"
+#include "render/render.h"
 
 namespace pencil {
 

@@ -1,6 +1,6 @@
 #include "converge/pictures.h"
 
-#include "scene/write_image.h"
+#include "image/write_image.h"
 
 namespace pencil {
 namespace {

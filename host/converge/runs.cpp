@@ -8,7 +8,7 @@
 #include "converge/methods.h"
 #include "reference/path_tracer.h"
 #include "scene/scene_fingerprint.h"
-#include "scene/write_image.h"
+#include "image/write_image.h"
 #include "util/stopwatch.h"
 
 namespace pencil {

@@ -8,7 +8,7 @@
 #include "compare/lab.h"
 #include "converge/runs.h"
 #include "scene/scene_fingerprint.h"
-#include "scene/write_image.h"
+#include "image/write_image.h"
 #include "util/error.h"
 
 namespace pencil {

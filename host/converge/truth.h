@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "converge/options.h"
-#include "transport/render.h"
+#include "render/render.h"
 
 namespace pencil {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/layer.h"
+#include "options/layer.h"
 #include "scene/scene.h"
 
 namespace pencil {

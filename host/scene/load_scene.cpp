@@ -4,13 +4,13 @@
 
 #include <new>
 
-#include "scene/mesh.h"
-#include "scene/properties.h"
-#include "scene/read_bsdf.h"
-#include "scene/read_integrator.h"
-#include "scene/read_obj.h"
-#include "scene/read_ply.h"
-#include "scene/read_sensor.h"
+#include "scene/meshes/mesh.h"
+#include "scene/mitsuba/properties.h"
+#include "scene/mitsuba/read_bsdf.h"
+#include "scene/mitsuba/read_integrator.h"
+#include "scene/meshes/read_obj.h"
+#include "scene/meshes/read_ply.h"
+#include "scene/mitsuba/read_sensor.h"
 #include "scene/scene_file.h"
 #include "scene/text.h"
 #include "util/error.h"

@@ -1,6 +1,6 @@
 // Emission of the texels' surfels.
 #include "bench/workbench.h"
-#include "transport/emit_surfels.h"
+#include "film/emit_surfels.h"
 
 namespace pencil::bench {
 namespace {

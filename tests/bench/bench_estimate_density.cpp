@@ -1,8 +1,8 @@
 // 1/D of the texels of a set.
 #include "bench/workbench.h"
-#include "transport/estimate_density.h"
-#include "transport/gather_surfels.h"
-#include "transport/test_visibility.h"
+#include "line/estimate_density.h"
+#include "line/gather_surfels.h"
+#include "line/test_visibility.h"
 
 namespace pencil::bench {
 namespace {

@@ -1,7 +1,7 @@
 // Footprints of the maps of a pencil set. The check is test_visibility's: the kernel and the native loop may name footprints differently,
 // but gutters must agree.
 #include "bench/workbench.h"
-#include "transport/rasterize_octahedral.h"
+#include "visibility/rasterize_octahedral.h"
 
 namespace pencil::bench {
 namespace {

@@ -1,6 +1,6 @@
 // Surfels that the texels of a set see.
 #include "bench/workbench.h"
-#include "transport/gather_surfels.h"
+#include "line/gather_surfels.h"
 
 namespace pencil::bench {
 namespace {

@@ -1,6 +1,6 @@
 // Direct light of the film's surfels.
 #include "bench/workbench.h"
-#include "transport/light_surfels.h"
+#include "film/light_surfels.h"
 
 namespace pencil::bench {
 namespace {

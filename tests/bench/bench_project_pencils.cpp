@@ -1,6 +1,6 @@
 // Pencil transport (surfels of the next set's texels) and projection-scatter (surfels of the film): the hot loop, one kernel.
 #include "bench/workbench.h"
-#include "transport/project_pencils.h"
+#include "line/project_pencils.h"
 
 namespace pencil::bench {
 namespace {

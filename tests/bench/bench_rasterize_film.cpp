@@ -1,6 +1,6 @@
 // Visibility samples of the film.
 #include "bench/film_bench.h"
-#include "transport/rasterize_film.h"
+#include "film/rasterize_film.h"
 
 namespace pencil::bench {
 namespace {

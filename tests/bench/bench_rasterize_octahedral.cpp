@@ -1,6 +1,6 @@
 // Geometry maps of pencils; rasterising and folding are launched together and timed apart.
 #include "bench/workbench.h"
-#include "transport/rasterize_octahedral.h"
+#include "visibility/rasterize_octahedral.h"
 
 namespace pencil::bench {
 namespace {

@@ -1,6 +1,6 @@
 // Outgoing radiance into maps: store_radiance and smooth_radiance, launched together.
 #include "bench/workbench.h"
-#include "transport/store_radiance.h"
+#include "line/store_radiance.h"
 
 namespace pencil::bench {
 namespace {

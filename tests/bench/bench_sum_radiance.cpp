@@ -1,6 +1,6 @@
 // Mean radiance of a pencil set.
 #include "bench/workbench.h"
-#include "transport/sum_radiance.h"
+#include "line/sum_radiance.h"
 
 namespace pencil::bench {
 namespace {

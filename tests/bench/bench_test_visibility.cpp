@@ -1,6 +1,6 @@
 // Visibility masks of the texels of a set, for its density.
 #include "bench/workbench.h"
-#include "transport/test_visibility.h"
+#include "line/test_visibility.h"
 
 namespace pencil::bench {
 namespace {

@@ -8,9 +8,9 @@
 #include "pencils/light_samples.h"
 #include "pencils/place_pencils.h"
 #include "scene/load_scene.h"
-#include "transport/rasterize_clusters.h"
-#include "transport/rasterize_octahedral.h"
-#include "transport/trace_octahedral.h"
+#include "visibility/rasterize_clusters.h"
+#include "visibility/rasterize_octahedral.h"
+#include "visibility/trace_octahedral.h"
 #include "util/stopwatch.h"
 
 namespace pencil::bench {

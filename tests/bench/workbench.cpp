@@ -2,10 +2,10 @@
 
 #include "pencils/light_samples.h"
 #include "scene/load_scene.h"
-#include "transport/free_space.h"
-#include "transport/gather_surfels.h"
-#include "transport/pencil_solver.h"
-#include "transport/rasterize_octahedral.h"
+#include "line/free_space.h"
+#include "line/gather_surfels.h"
+#include "line/pencil_solver.h"
+#include "visibility/rasterize_octahedral.h"
 
 namespace pencil::bench {
 namespace {

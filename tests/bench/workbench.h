@@ -7,11 +7,11 @@
 #include "bench/bench.h"
 #include "bench/native/native.h"
 #include "scene/scene.h"
-#include "transport/device_scene.h"
-#include "transport/features.h"
-#include "transport/film.h"
-#include "transport/pencil_set.h"
-#include "transport/surfels.h"
+#include "device/device_scene.h"
+#include "device/features.h"
+#include "film/film.h"
+#include "device/pencil_set.h"
+#include "device/surfels.h"
 
 namespace pencil::bench {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "scene/mesh.h"
+#include "scene/meshes/mesh.h"
 #include "util/error.h"
 
 namespace pencil::fuzz {

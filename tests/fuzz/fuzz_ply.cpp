@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "fuzz/check_mesh.h"
-#include "scene/read_ply.h"
+#include "scene/meshes/read_ply.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view bytes(reinterpret_cast<const char*>(data), size);

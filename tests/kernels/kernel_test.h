@@ -11,12 +11,12 @@
 #include "reference/octahedral_ref.h"
 #include "reference/random.h"
 #include "reference/raycast_ref.h"
-#include "transport/device_scene.h"
-#include "transport/features.h"
-#include "transport/gather_surfels.h"
-#include "transport/pencil_set.h"
-#include "transport/rasterize_octahedral.h"
-#include "transport/surfels.h"
+#include "device/device_scene.h"
+#include "device/features.h"
+#include "line/gather_surfels.h"
+#include "device/pencil_set.h"
+#include "visibility/rasterize_octahedral.h"
+#include "device/surfels.h"
 
 namespace pencil::test {
 

@@ -4,7 +4,7 @@
 #include "pencils/film_filter.h"
 #include "reference/tolerances.h"
 #include "shared/film.h"
-#include "transport/rasterize_film.h"
+#include "film/rasterize_film.h"
 
 namespace {
 

@@ -2,8 +2,8 @@
 #include "kernels/kernel_test.h"
 #include "reference/density_ref.h"
 #include "reference/tolerances.h"
-#include "transport/estimate_density.h"
-#include "transport/test_visibility.h"
+#include "line/estimate_density.h"
+#include "line/test_visibility.h"
 
 namespace {
 

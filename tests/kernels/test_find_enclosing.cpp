@@ -3,7 +3,7 @@
 #include <map>
 
 #include "kernels/kernel_test.h"
-#include "transport/find_enclosing.h"
+#include "line/find_enclosing.h"
 
 namespace {
 

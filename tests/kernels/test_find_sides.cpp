@@ -2,7 +2,7 @@
 #include <set>
 
 #include "kernels/kernel_test.h"
-#include "transport/find_sides.h"
+#include "line/find_sides.h"
 
 namespace {
 

@@ -1,6 +1,6 @@
 // Analytic density weights against p = d^3 / (3 volume) with d from rays cast both ways through every triangle, in double precision.
 #include "kernels/kernel_test.h"
-#include "transport/free_path_density.h"
+#include "line/free_path_density.h"
 
 namespace {
 

@@ -5,8 +5,8 @@
 #include "reference/direct_ref.h"
 #include "reference/tolerances.h"
 #include "reference/transport_ref.h"
-#include "transport/light_surfels.h"
-#include "transport/test_visibility.h"
+#include "film/light_surfels.h"
+#include "line/test_visibility.h"
 
 namespace {
 

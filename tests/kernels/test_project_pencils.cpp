@@ -5,10 +5,10 @@
 #include "reference/tolerances.h"
 #include "reference/transport_ref.h"
 #include "reference/voronoi_ref.h"
-#include "transport/project_pencils.h"
-#include "transport/store_radiance.h"
-#include "transport/test_visibility.h"
-#include "transport/weights.h"
+#include "line/project_pencils.h"
+#include "line/store_radiance.h"
+#include "line/test_visibility.h"
+#include "line/weights.h"
 
 namespace {
 

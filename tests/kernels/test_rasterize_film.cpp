@@ -2,7 +2,7 @@
 #include "kernels/film_test.h"
 #include "pencils/film_filter.h"
 #include "reference/tolerances.h"
-#include "transport/rasterize_film.h"
+#include "film/rasterize_film.h"
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "kernels/kernel_test.h"
-#include "transport/store_radiance.h"
+#include "line/store_radiance.h"
 
 namespace {
 

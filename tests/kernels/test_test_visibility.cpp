@@ -3,7 +3,7 @@
 // acne (wrongly hidden).
 #include "kernels/kernel_test.h"
 #include "reference/visibility_ref.h"
-#include "transport/test_visibility.h"
+#include "line/test_visibility.h"
 
 namespace {
 

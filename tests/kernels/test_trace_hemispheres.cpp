@@ -3,7 +3,7 @@
 #include <glm/common.hpp>
 
 #include "kernel_test.h"
-#include "transport/surface_pencils.h"
+#include "surface/surface_pencils.h"
 
 namespace {
 

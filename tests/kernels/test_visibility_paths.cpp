@@ -1,9 +1,9 @@
 // The other two ways to make geometry maps, by clusters and by rays, against the same brute-force ray cast as the rasteriser, and all three
 // against each other over scenes that brute force is too slow for.
 #include "kernels/map_comparison.h"
-#include "transport/geometry_maps.h"
-#include "transport/rasterize_clusters.h"
-#include "transport/trace_octahedral.h"
+#include "visibility/geometry_maps.h"
+#include "visibility/rasterize_clusters.h"
+#include "visibility/trace_octahedral.h"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "scenes/scene_parts.h"
-#include "transport/render.h"
+#include "render/render.h"
 
 namespace pencil::test {
 

@@ -6,9 +6,9 @@
 #include "pencils/light_samples.h"
 #include "scenes/known_scenes.h"
 #include "scenes/scene_builder.h"
-#include "transport/film.h"
-#include "transport/free_space.h"
-#include "transport/rasterize_octahedral.h"
+#include "film/film.h"
+#include "line/free_space.h"
+#include "visibility/rasterize_octahedral.h"
 #include "util/error.h"
 
 namespace {

@@ -7,8 +7,8 @@
 
 #include "reference/map_ref.h"
 #include "scene/scene.h"
-#include "transport/film.h"
-#include "transport/pencil_set.h"
+#include "film/film.h"
+#include "device/pencil_set.h"
 
 namespace pencil::thesis {
 

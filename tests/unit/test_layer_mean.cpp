@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "reference/random.h"
-#include "transport/layer_mean.h"
+#include "film/layer_mean.h"
 
 namespace {
 

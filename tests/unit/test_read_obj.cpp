@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "scene/read_obj.h"
+#include "scene/meshes/read_obj.h"
 #include "util/error.h"
 
 namespace pencil {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "scene/read_ply.h"
+#include "scene/meshes/read_ply.h"
 #include "util/error.h"
 
 namespace pencil {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "scene/load_scene.h"
-#include "scene/spectrum.h"
+#include "scene/mitsuba/spectrum.h"
 
 namespace pencil {
 namespace {

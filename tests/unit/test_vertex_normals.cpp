@@ -2,7 +2,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "scene/vertex_normals.h"
+#include "scene/meshes/vertex_normals.h"
 #include "unit/scene_fixture.h"
 
 namespace {

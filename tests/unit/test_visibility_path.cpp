@@ -1,7 +1,7 @@
 // The cost model of geometry maps: sane in every direction, and a plan is never slower than what it leaves out.
 #include <gtest/gtest.h>
 
-#include "transport/visibility_path.h"
+#include "visibility/visibility_path.h"
 
 namespace pencil {
 namespace {

@@ -11,8 +11,8 @@
 #include <limits>
 #include <numeric>
 
-#include "scene/read_image.h"
-#include "scene/write_image.h"
+#include "image/read_image.h"
+#include "image/write_image.h"
 #include "util/error.h"
 #include "util/output_file.h"
 #include "util/progress.h"

@@ -1,0 +1,19 @@
+#include "device/device_scene.h"
+
+namespace pencil {
+
+DeviceScene::DeviceScene(const std::shared_ptr<Device>& device, const FlatScene& flat, const Bvh& bvh, const Clusters& grouped)
+    : triangle_count(static_cast<int>(flat.triangles.size())),
+      cluster_count(grouped.count),
+      has_bvh(!bvh.nodes.empty()),
+      triangles(device, flat.triangles, "triangles"),
+      planes(device, flat.planes, "planes"),
+      materials(device, flat.materials, "materials"),
+      normals(device, flat.normals, "vertex normals"),
+      to_film(device, flat.to_film, "film projection"),
+      nodes(device, bvh.nodes, "hierarchy"),
+      leaves(device, bvh.leaves, "leaves of the hierarchy"),
+      clusters(device, grouped.boxes, "clusters of triangles"),
+      members(device, grouped.members, "members of clusters") {}
+
+}  // namespace pencil

@@ -1,0 +1,31 @@
+// The flattened scene in device memory.
+#pragma once
+
+#include "cl/buffer.h"
+#include "pencils/build_bvh.h"
+#include "pencils/cluster_triangles.h"
+#include "pencils/flat_scene.h"
+#include "visibility/visibility_path.h"
+
+namespace pencil {
+
+struct DeviceScene {
+    /// `bvh`: empty where no kernel follows rays; `grouped`: empty where none rasterises by clusters.
+    DeviceScene(const std::shared_ptr<Device>& device, const FlatScene& flat, const Bvh& bvh = {}, const Clusters& grouped = {});
+
+    Prepared prepared() const { return {cluster_count > 0, has_bvh}; }
+
+    int triangle_count, cluster_count;
+    bool has_bvh;
+    Buffer<Triangle> triangles;
+    Buffer<float4> planes;
+    Buffer<Material> materials;
+    Buffer<float4> normals;  // empty unless Features::smooth
+    Buffer<float4> to_film;
+    Buffer<BvhNode> nodes;
+    Buffer<int> leaves;
+    Buffer<Cluster> clusters;
+    Buffer<int> members;
+};
+
+}  // namespace pencil

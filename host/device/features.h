@@ -1,0 +1,49 @@
+// What a scene and its options need, found once; to_defines is the only place that turns it into kernel defines.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cl/program.h"
+#include "pencils/flat_scene.h"
+#include "render/render.h"
+
+namespace pencil {
+
+struct Features {
+    bool smooth = false;  // some triangle has vertex normals: interpolated shading normals
+    Weights weights = Weights::dpdf;
+    int cell_grid = 0;      // root of the greatest number of directions that sample Voronoi cells, 0 for other weights
+    bool bvh = false;       // rays through the hierarchy decide visibility, geometry maps do not
+    int film_samples = 16;  // visibility samples per pixel
+};
+
+Features detect_features(const FlatScene& scene, const RenderOptions& options);
+Defines to_defines(const Features& features, int block);
+
+/// Kernels of one render: the program cache with the render's specialisation.
+class Kernels {
+public:
+    Kernels(std::shared_ptr<Device> device, const Features& features) : cache_(std::move(device)), features_(features) {}
+    /// Kernel `name` from kernels/<name>.cl, built with its group (kernel_groups.h) behind the shared headers.
+    Launch get(const std::string& name);
+    const std::shared_ptr<Device>& device() const { return cache_.device(); }
+    const Features& features() const { return features_; }
+    ProgramCache& cache() { return cache_; }
+    /// Packets per work-item (PENCIL_BLOCK): enough on CPUs to reuse what the caches hold, one where work-items are narrow.
+    int block() const { return device()->packet_width() > 1 ? 8 : 1; }
+    std::size_t blocks(int surfels) const {
+        return (packets(surfels) + static_cast<std::size_t>(block()) - 1) / static_cast<std::size_t>(block());
+    }
+    /// Work-items that cover `surfels` in packets.
+    std::size_t packets(int surfels) const {
+        int width = device()->packet_width();
+        return static_cast<std::size_t>((surfels + width - 1) / width);
+    }
+
+private:
+    ProgramCache cache_;
+    Features features_;
+};
+
+}  // namespace pencil

@@ -1,0 +1,56 @@
+#include "device/pencil_set.h"
+
+#include <glm/vec3.hpp>
+
+#include "util/error.h"
+
+namespace pencil {
+
+namespace {
+
+/// Kernels index texels with 32 bits.
+constexpr std::size_t most_texels = 0x7fffffff;
+
+/// n = 0: no maps, and one texel since there are no empty buffers.
+std::size_t atlas_texels(std::size_t tiles, int n) {
+    if (n == 0) return 1;
+    const std::size_t texels = tiles * static_cast<std::size_t>(PENCIL_TILE_TEXELS(n));
+    if (texels > most_texels)
+        throw MemoryError(std::to_string(tiles) + " maps of " + std::to_string(n) + "x" + std::to_string(n) +
+                          " texels are more than one atlas holds (2^31 texels); use fewer pencils or light samples, or a smaller map");
+    return texels;
+}
+
+std::vector<float4> positions_of(const std::vector<LightSample>& samples) {
+    std::vector<float4> positions;
+    positions.reserve(samples.size());
+    for (const LightSample& s : samples) positions.emplace_back(glm::vec3(s.position), 0.0F);
+    return positions;
+}
+
+}  // namespace
+
+GeometryMaps::GeometryMaps(const std::shared_ptr<Device>& device, const std::vector<float4>& positions, int tile_size,
+                           const std::string& what)
+    : count(static_cast<int>(positions.size())),
+      n(tile_size),
+      cops(device, positions, what + " centres"),
+      hits(device, atlas_texels(positions.size(), tile_size), what + " geometry maps"),
+      groups(device, atlas_texels(positions.size(), tile_size), what + " footprint groups"),
+      cells(device, atlas_texels(positions.size(), tile_size), what + " footprint cells") {}
+
+void GeometryMaps::copy_tile(const GeometryMaps& other, int source, int target) {
+    const std::size_t texels = atlas_texels(1, n), from = static_cast<std::size_t>(source), to = static_cast<std::size_t>(target);
+    cops.copy_from(other.cops, from, to, 1);
+    hits.copy_from(other.hits, from * texels, to * texels, texels);
+    groups.copy_from(other.groups, from * texels, to * texels, texels);
+    cells.copy_from(other.cells, from * texels, to * texels, texels);
+}
+
+PencilSet::PencilSet(const std::shared_ptr<Device>& device, std::shared_ptr<GeometryMaps> geometry)
+    : maps(std::move(geometry)), radiance(device, atlas_texels(static_cast<std::size_t>(maps->count), maps->n), "pencil radiance maps") {}
+
+LightSet::LightSet(const std::shared_ptr<Device>& device, const std::vector<LightSample>& light_samples, int tile_size)
+    : samples(device, light_samples, "light samples"), maps(device, positions_of(light_samples), tile_size, "light sample") {}
+
+}  // namespace pencil

@@ -1,0 +1,34 @@
+#include "film/bounce_series.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pencil {
+
+double BounceSeries::last_share() const {
+    if (means_.empty()) return 1.0;
+    glm::dvec3 sum(0);
+    for (const glm::dvec3& m : means_) sum += m;
+    double share = 0;
+    for (int c = 0; c < 3; ++c)
+        if (sum[c] > 0) share = std::max(share, means_.back()[c] / sum[c]);
+    return share;
+}
+
+glm::dvec3 BounceSeries::ratio() const {
+    glm::dvec3 r(0);
+    if (means_.size() < 2) return r;
+    // Shrinking sets differ from one another: the mean over two steps is steadier than the last step alone.
+    const std::size_t steps = std::min<std::size_t>(2, means_.size() - 1);
+    const glm::dvec3 &last = means_.back(), &first = means_[means_.size() - 1 - steps];
+    for (int c = 0; c < 3; ++c)
+        if (first[c] > 0) r[c] = std::min(std::pow(last[c] / first[c], 1.0 / static_cast<double>(steps)), largest_ratio);
+    return r;
+}
+
+glm::dvec3 BounceSeries::tail_factor() const {
+    const glm::dvec3 r = ratio();
+    return r / (glm::dvec3(1.0) - r);
+}
+
+}  // namespace pencil

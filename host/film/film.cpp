@@ -1,0 +1,100 @@
+#include "film/film.h"
+
+#include <algorithm>
+
+#include "shared/film.h"
+#include "film/rasterize_film.h"
+
+namespace pencil {
+
+namespace {
+
+/// Strips are as high as this much memory for hits allows: enough rows to keep all units busy, little beside the rest.
+constexpr std::size_t strip_bytes = std::size_t{96} << 20;
+/// Surfels are numbered through square blocks of pixels, so that neighbouring surfels see neighbouring things.
+constexpr int numbered_block = 8;
+/// Surfels per pixel that the estimate assumes, and rgb layers held at once.
+constexpr double surfels_per_pixel = 1.2;
+constexpr int layers_held = 4;
+
+int rows_per_strip(const Camera& camera, int samples) {
+    const std::size_t row = static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(samples) * sizeof(Hit);
+    return static_cast<int>(std::clamp<std::size_t>(strip_bytes / row, 1, static_cast<std::size_t>(camera.height)));
+}
+
+std::size_t pixel_count(const Camera& camera) { return static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height); }
+
+}  // namespace
+
+double film_bytes(double pixels, int samples) {
+    return pixels * (samples + 1 + 4 + surfels_per_pixel * 4 * (SURFEL_FIELDS + 3 * layers_held) + 3 * 4);
+}
+
+Film::Film(Kernels& kernels, const DeviceScene& scene, const Camera& camera, const ReconstructionFilter& filter, const Turn& turn)
+    : camera_(camera), samples_(kernels.features().film_samples), strip_rows_(rows_per_strip(camera, samples_)) {
+    const auto& device = kernels.device();
+    const std::vector<glm::vec2> offsets = film_sample_offsets(samples_, turn.seed, turn.index);
+    const FilterTable table = tabulate_filter(filter, offsets);
+    reach_ = table.reach;
+    offsets_ = Buffer<glm::vec2>(device, offsets, "film sample offsets");
+    weights_ = Buffer<float>(device, table.weights, "filter weights");
+    totals_ = Buffer<float>(device, table.totals, "filter totals");
+    slots_ = Buffer<unsigned char>(device, pixel_count(camera_) * static_cast<std::size_t>(samples_), "film sample slots");
+    counts_ = Buffer<unsigned char>(device, pixel_count(camera_), "film surfel counts");
+    hits_ = Buffer<Hit>(device, static_cast<std::size_t>(strip_rows_) * static_cast<std::size_t>(camera_.width * samples_), "film hits");
+    const bool one_strip = strip_rows_ == camera_.height;
+    for (int row = 0; row < camera_.height; row += strip_rows_) {
+        const int rows = std::min(strip_rows_, camera_.height - row);
+        rasterize_film(kernels, scene, camera_, offsets_, samples_, row, rows, hits_);
+        classify(kernels, scene, row, rows);
+    }
+    surfels_ = Surfels(device, number_surfels(device), "film surfels");
+    for (int row = 0; row < camera_.height; row += strip_rows_) {
+        const int rows = std::min(strip_rows_, camera_.height - row);
+        if (!one_strip) rasterize_film(kernels, scene, camera_, offsets_, samples_, row, rows, hits_);
+        write_surfels(kernels, scene, row, rows);
+    }
+    hits_ = Buffer<Hit>();
+}
+
+void Film::classify(Kernels& kernels, const DeviceScene& scene, int first_row, int rows) {
+    kernels.get("classify_film")
+        .args(hits_, camera_, offsets_, samples_, first_row, rows, scene.triangles, scene.planes, slots_, counts_)
+        .run(static_cast<std::size_t>(rows) * static_cast<std::size_t>(camera_.width), "classify film samples");
+}
+
+/// Running sum of the counts, on the host: it is one byte per pixel, and the total is needed here to allocate the surfels.
+int Film::number_surfels(const std::shared_ptr<Device>& device) {
+    const std::vector<unsigned char> counts = counts_.read();
+    std::vector<int> first(counts.size());
+    int next = 0;
+    const int width = camera_.width, height = camera_.height;
+    for (int top = 0; top < height; top += numbered_block)
+        for (int left = 0; left < width; left += numbered_block)
+            for (int y = top; y < std::min(top + numbered_block, height); ++y)
+                for (int x = left; x < std::min(left + numbered_block, width); ++x) {
+                    const std::size_t pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+                    first[pixel] = next;
+                    next += counts[pixel] & FILM_COUNT_MASK;
+                }
+    first_surfel_ = Buffer<int>(device, first, "first surfels");
+    return next;
+}
+
+void Film::write_surfels(Kernels& kernels, const DeviceScene& scene, int first_row, int rows) {
+    kernels.get("film_surfels")
+        .args(hits_, camera_, offsets_, samples_, first_row, rows, slots_, counts_, first_surfel_, scene.triangles, scene.planes,
+              scene.materials, scene.normals, surfels_.data, surfels_.capacity)
+        .run(static_cast<std::size_t>(rows) * static_cast<std::size_t>(camera_.width), "film surfels");
+}
+
+std::vector<float> Film::resolve(Kernels& kernels, const Buffer<float>& values, int first_field) const {
+    Buffer<float> image(kernels.device(), pixel_count(camera_) * 3, "resolved layer");
+    kernels.get("resolve_film")
+        .args(values, first_field, surfels_.capacity, slots_, counts_, first_surfel_, weights_, totals_, reach_, samples_, camera_.width,
+              camera_.height, image)
+        .run(pixel_count(camera_), "resolve film");
+    return image.read();
+}
+
+}  // namespace pencil

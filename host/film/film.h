@@ -1,0 +1,49 @@
+// The film: visibility samples, the surfels they show, and the way back from surfel values to pixels.
+#pragma once
+
+#include <vector>
+
+#include "pencils/film_filter.h"
+#include "device/device_scene.h"
+#include "device/features.h"
+#include "device/surfels.h"
+#include "device/turn.h"
+
+namespace pencil {
+
+class Film {
+public:
+    /// Rasterises the scene for the camera and makes the surfels (launchers of classify_film, film_surfels).
+    Film(Kernels& kernels, const DeviceScene& scene, const Camera& camera, const ReconstructionFilter& filter, const Turn& turn);
+
+    const Surfels& surfels() const { return surfels_; }
+    const Buffer<unsigned char>& counts() const { return counts_; }    // per pixel: surfels and FILM_HAS_EMPTY
+    const Buffer<int>& first_surfel() const { return first_surfel_; }  // per pixel
+    int width() const { return camera_.width; }
+    int height() const { return camera_.height; }
+    float4 eye() const { return camera_.origin; }  // [scene units]
+
+    /// Pixels (rgb, rows from the top) of three consecutive fields of values[field][surfels().capacity]; launcher of resolve_film.
+    std::vector<float> resolve(Kernels& kernels, const Buffer<float>& values, int first_field = 0) const;
+
+private:
+    void classify(Kernels& kernels, const DeviceScene& scene, int first_row, int rows);
+    void write_surfels(Kernels& kernels, const DeviceScene& scene, int first_row, int rows);
+    int number_surfels(const std::shared_ptr<Device>& device);
+
+    Camera camera_;
+    int samples_;
+    int strip_rows_;
+    int reach_ = 0;
+    Buffer<glm::vec2> offsets_;
+    Buffer<Hit> hits_;  // of one strip, released after construction
+    Buffer<unsigned char> slots_, counts_;
+    Buffer<int> first_surfel_;
+    Buffer<float> weights_, totals_;
+    Surfels surfels_;
+};
+
+/// Rough bytes of device memory that a film of this size takes, for the check before anything is allocated.
+double film_bytes(double pixels, int samples);
+
+}  // namespace pencil

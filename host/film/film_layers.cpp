@@ -1,0 +1,92 @@
+#include "film/film_layers.h"
+
+#include <algorithm>
+
+#include "film/emit_surfels.h"
+#include "util/error.h"
+
+namespace pencil {
+
+namespace {
+
+const std::set<std::string> known_layers = {"emission", "direct", "bounces", "albedo", "normal", "depth", "position"};
+
+/// World positions of pixels, and distances from the camera along the pixel's ray; empty pixels keep 0.
+void to_world(const FlatScene& flat, const std::vector<float>& coverage, std::vector<float>& position, std::vector<float>& depth) {
+    const glm::dvec3 eye = flat.normalisation.to_world(glm::dvec3(flat.camera.origin));
+    depth.assign(position.size() / 3, 0.0F);
+    for (std::size_t i = 0; i < depth.size(); ++i) {
+        // The filter also averages over what is empty: positions are scaled back to the covered part.
+        const float covered =
+            coverage[3 * i] * coverage[3 * i] + coverage[3 * i + 1] * coverage[3 * i + 1] + coverage[3 * i + 2] * coverage[3 * i + 2];
+        if (covered == 0.0F) {
+            for (std::size_t c = 0; c < 3; ++c) position[3 * i + c] = 0.0F;
+            continue;
+        }
+        const glm::dvec3 p = flat.normalisation.to_world(glm::dvec3(position[3 * i], position[3 * i + 1], position[3 * i + 2]));
+        for (int c = 0; c < 3; ++c) position[3 * i + static_cast<std::size_t>(c)] = static_cast<float>(p[c]);
+        depth[i] = static_cast<float>(glm::length(p - eye));
+    }
+}
+
+}  // namespace
+
+glm::dvec3 mean_rgb(const std::vector<float>& pixels) {
+    glm::dvec3 sum(0);
+    for (std::size_t i = 0; i + 2 < pixels.size(); i += 3) sum += glm::dvec3(pixels[i], pixels[i + 1], pixels[i + 2]);
+    return pixels.empty() ? sum : sum / (static_cast<double>(pixels.size()) / 3.0);
+}
+
+FilmLayers::FilmLayers(const std::vector<std::string>& aovs) : aovs_(aovs.begin(), aovs.end()) {
+    for (const std::string& aov : aovs)
+        if (known_layers.count(aov) == 0)
+            throw UsageError("unknown layer \"" + aov + "\"; known: emission, direct, bounces, albedo, normal, depth, position");
+}
+
+void FilmLayers::add_surfaces(Kernels& kernels, const DeviceScene& scene, const FlatScene& flat, const Film& film) {
+    const Surfels& surfels = film.surfels();
+    Buffer<float> emission = surfel_rgb(kernels.device(), surfels.capacity, "emission of the film");
+    emit_surfels(kernels, scene, surfels, false, emission);
+    beauty_ = film.resolve(kernels, emission);
+    if (wants("emission")) light_.push_back({"emission", 3, beauty_});
+    if (wants("albedo")) surface_.push_back({"albedo", 3, film.resolve(kernels, surfels.data, SURFEL_ALBEDO_R)});
+    if (!wants("normal") && !wants("depth") && !wants("position")) return;
+    std::vector<float> normal = film.resolve(kernels, surfels.data, SURFEL_NX);
+    if (wants("depth") || wants("position")) {
+        std::vector<float> position = film.resolve(kernels, surfels.data, SURFEL_X), depth;
+        to_world(flat, normal, position, depth);
+        if (wants("depth")) surface_.push_back({"depth", 1, std::move(depth)});
+        if (wants("position")) surface_.push_back({"position", 3, std::move(position)});
+    }
+    if (wants("normal")) surface_.push_back({"normal", 3, std::move(normal)});
+}
+
+void FilmLayers::add_to_beauty(const std::vector<float>& pixels) {
+    std::transform(beauty_.begin(), beauty_.end(), pixels.begin(), beauty_.begin(), [](float a, float b) { return a + b; });
+}
+
+void FilmLayers::add_bounce(int order, std::vector<float> pixels) {
+    add_to_beauty(pixels);
+    if (wants(order == 1 ? "direct" : "bounces"))
+        light_.push_back({order == 1 ? "direct" : order == indirect ? "indirect" : "bounce" + std::to_string(order), 3, pixels});
+    last_bounce_ = std::move(pixels);
+}
+
+double FilmLayers::close_series(const glm::dvec3& factor) {
+    for (std::size_t i = 0; i < last_bounce_.size(); ++i) last_bounce_[i] *= static_cast<float>(factor[static_cast<int>(i % 3)]);
+    add_to_beauty(last_bounce_);
+    const glm::dvec3 tail = mean_rgb(last_bounce_), image = mean_rgb(beauty_);
+    if (wants("bounces")) light_.push_back({"tail", 3, std::move(last_bounce_)});
+    const double sum = image.x + image.y + image.z;
+    return sum > 0 ? (tail.x + tail.y + tail.z) / sum : 0.0;
+}
+
+std::vector<Layer> FilmLayers::take(int width, int height) {
+    beauty_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
+    std::vector<Layer> layers = {{"", 3, std::move(beauty_)}};
+    for (std::vector<Layer>* group : {&light_, &surface_})
+        for (Layer& layer : *group) layers.push_back(std::move(layer));
+    return layers;
+}
+
+}  // namespace pencil

@@ -1,0 +1,120 @@
+#include "film/layer_mean.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace pencil {
+
+namespace {
+
+/// relMSE divides by r^2 + this * mean(r)^2, so that black pixels do not decide it.
+constexpr double variance_floor = 0.01;
+
+}  // namespace
+
+void LayerMean::Sum::add(const std::vector<float>& beauty, const std::vector<float>& first, double image_weight) {
+    if (value.empty()) value.assign(first.size(), 0.0F);
+    weight += image_weight;
+    for (std::size_t i = 0; i < first.size(); ++i)
+        value[i] += static_cast<float>(image_weight * (static_cast<double>(beauty[i]) - static_cast<double>(first[i])));
+}
+
+void LayerMean::add(std::vector<Layer> layers, double weight, int generation) {
+    if (count_ == 0) first_ = layers.front().pixels;
+    if (generation != generation_) begin_generation(generation);
+    const auto sequence = static_cast<std::size_t>(count_ % sequences);
+    of_[sequence].add(layers.front().pixels, first_, weight);
+    now_[sequence % 2].add(layers.front().pixels, first_, weight);
+    weights_.back() += weight;
+    weight_ += weight;
+    if (count_++ == 0) {
+        mean_ = std::move(layers);
+        return;
+    }
+    const double share = weight / weight_;
+    for (std::size_t l = 0; l < layers.size(); ++l)
+        for (std::size_t i = 0; i < mean_[l].pixels.size(); ++i)
+            mean_[l].pixels[i] +=
+                static_cast<float>(share * (static_cast<double>(layers[l].pixels[i]) - static_cast<double>(mean_[l].pixels[i])));
+}
+
+/// Mean over the beauty's values of square(i) / (mean^2 + floor), as relMSE.
+template <typename Square>
+double LayerMean::relative_mean(Square square) const {
+    const std::vector<float>& pixels = mean_.front().pixels;
+    const double mean = std::accumulate(pixels.begin(), pixels.end(), 0.0) / static_cast<double>(pixels.size());
+    if (mean <= 0) return 0;
+    double sum = 0;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const double value = pixels[i];
+        sum += square(i) / (value * value + variance_floor * mean * mean);
+    }
+    return sum / static_cast<double>(pixels.size());
+}
+
+void LayerMean::begin_generation(int generation) {
+    last_square_ = shared_square();
+    before_ = std::move(now_);
+    now_ = Halves();
+    weights_.push_back(0.0);
+    generation_ = generation;
+}
+
+/// Square of the error that the images of this generation share. The halves are independent but for such errors: the product of their steps
+/// from the last generation is free of noise in the mean. It is three times that square if generations err independently and the square
+/// halves from each to the next; where they err alike, and errors of interpolation do, it is less.
+double LayerMean::shared_square() const {
+    const double expected = 0.5 * last_square_;
+    for (std::size_t half = 0; half < 2; ++half)  // steps to the first images of a generation hold little but noise
+        if (before_[half].weight == 0 || now_[half].weight < before_[half].weight) return expected;
+    const auto step = [&](std::size_t half, std::size_t i) {
+        return static_cast<double>(now_[half].value[i]) / now_[half].weight -
+               static_cast<double>(before_[half].value[i]) / before_[half].weight;
+    };
+    const double square = relative_mean([&](std::size_t i) { return step(0, i) * step(1, i); }) / 3.0;
+    return std::max(square, 0.5 * expected);  // noise may hide it
+}
+
+/// sum(W^2 (M - mean)^2) / sum(W)^2 over the means M of the sequences and their weights W, right whatever their variances are (White 1980),
+/// times what makes it unbiased where variances are as 1 / W: sum(W) / (sum(W) - W) for each.
+double LayerMean::variance_of_mean(std::size_t i) const {
+    const double mean = static_cast<double>(mean_.front().pixels[i]) - static_cast<double>(first_[i]);
+    double sum = 0;
+    for (const Sum& s : of_) {
+        if (s.weight == 0) continue;
+        const double step = static_cast<double>(s.value[i]) - s.weight * mean;
+        sum += step * step / (1.0 - s.weight / weight_);
+    }
+    return sum / (weight_ * weight_);
+}
+
+double LayerMean::mean_square_noise() const {
+    return relative_mean([&](std::size_t i) { return variance_of_mean(i); });
+}
+
+/// What the mean keeps of that if all generations err alike. Independence in shared_square and likeness here lie on either side of the
+/// truth: together they fit the scenes that were measured (docs/accuracy.md).
+double LayerMean::shared_square_error() const {
+    double sum = 0, growth = 1;
+    for (std::size_t g = weights_.size(); g-- > 0; growth *= std::sqrt(2.0)) sum += weights_[g] / weight_ * growth;
+    return sum * sum * shared_square();
+}
+
+double LayerMean::relative_mean_square_error() const {
+    if (count_ < 2) return std::numeric_limits<double>::infinity();
+    return mean_square_noise() + shared_square_error();
+}
+
+std::vector<Layer> LayerMean::take(bool with_error) {
+    if (with_error && count_ >= 2) {
+        const double noise = mean_square_noise(), scale = noise > 0 ? std::sqrt(1.0 + shared_square_error() / noise) : 1.0;
+        Layer error{"error", 3, std::vector<float>(first_.size())};
+        for (std::size_t i = 0; i < first_.size(); ++i) error.pixels[i] = static_cast<float>(scale * std::sqrt(variance_of_mean(i)));
+        mean_.push_back(std::move(error));
+    }
+    return std::move(mean_);
+}
+
+}  // namespace pencil

@@ -1,0 +1,58 @@
+// Weighted mean of images of the same scene, and what the spread among them says about its error.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "render/render.h"
+
+namespace pencil {
+
+class LayerMean {
+public:
+    /// Images come from so many sequences in turn. Those of one sequence may continue each other's samples, so that their mean is better
+    /// than that of independent images; the sequences are independent of each other.
+    static constexpr int sequences = 4;
+
+    /// Adds an image with its weight in the mean. Later images have the layers of the first, or the first of them: the others stay as they
+    /// are. Images of one `generation`, which never falls, may share an error that no sequence shows.
+    void add(std::vector<Layer> layers, double weight, int generation);
+
+    int count() const { return count_; }
+
+    /// Estimated relative mean square error of the mean beauty, relMSE: the variance of the mean over its square, from the spread of the
+    /// sequences, and what generations share, from the step between the last two. Needs two images; infinite before.
+    double relative_mean_square_error() const;
+
+    /// The layers of the mean; with two images or more a layer "error" follows: the estimated error of every beauty value.
+    std::vector<Layer> take(bool with_error);
+
+private:
+    /// Sum of some images: their weight, and weight * beauty, beauty less the first image's.
+    struct Sum {
+        double weight = 0;
+        std::vector<float> value;
+        void add(const std::vector<float>& beauty, const std::vector<float>& first, double image_weight);
+    };
+    using Halves = std::array<Sum, 2>;  // even and odd sequences
+
+    void begin_generation(int generation);
+    double variance_of_mean(std::size_t i) const;
+    double mean_square_noise() const;
+    double shared_square() const;
+    double shared_square_error() const;
+    template <typename Square>
+    double relative_mean(Square square) const;
+
+    int count_ = 0;
+    double weight_ = 0;
+    std::vector<Layer> mean_;
+    std::vector<float> first_;  // beauty of the first image
+    std::array<Sum, sequences> of_;
+    int generation_ = 0;
+    std::vector<double> weights_{0.0};  // of the generations
+    Halves now_, before_;               // of the generation and the last
+    double last_square_ = 0;            // shared_square() of the last
+};
+
+}  // namespace pencil

@@ -1,0 +1,14 @@
+// Launcher of kernels/free_path_density.cl.
+#pragma once
+
+#include "device/features.h"
+#include "line/free_space.h"
+#include "device/pencil_set.h"
+
+namespace pencil {
+
+/// Analytic density weights of tiles `first` .. `first` + count - 1 into the w of the radiance maps. `space`: where the
+/// centres lie, in normalised scene units.
+void free_path_density(Kernels& kernels, int first, int count, const CentreSpace& space, PencilSet& set);
+
+}  // namespace pencil

@@ -1,0 +1,111 @@
+#include "line/pencil_solver.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "film/emit_surfels.h"
+#include "line/estimate_density.h"
+#include "line/free_path_density.h"
+#include "line/gather_surfels.h"
+#include "film/light_surfels.h"
+#include "line/planned_maps.h"
+#include "line/project_pencils.h"
+#include "line/store_radiance.h"
+#include "line/sum_radiance.h"
+#include "line/test_visibility.h"
+
+namespace pencil {
+
+namespace {
+
+/// Surfels of maps that are worked on at once: bounds memory and the length of a launch.
+constexpr int chunk_surfels = 1 << 20;
+/// Masks of one chunk take at most this much [bytes].
+constexpr std::size_t mask_bytes = std::size_t{128} << 20;
+
+int chunk_tiles(int n, int pencils) {
+    const std::size_t texels = static_cast<std::size_t>(n) * static_cast<std::size_t>(n);
+    const std::size_t by_mask = mask_bytes / (sizeof(uint) * static_cast<std::size_t>(mask_words(pencils)) * texels);
+    const std::size_t by_surfels = chunk_surfels / texels;
+    return static_cast<int>(std::clamp<std::size_t>(std::min(by_mask, by_surfels), 1, static_cast<std::size_t>(pencils)));
+}
+
+}  // namespace
+
+PencilSolver::PencilSolver(Kernels& kernels, const DeviceScene& scene, FreeSpace& free_space, CandidateSource& candidates,
+                           const LightSet& lights, const RenderOptions& options, StageClock& clock)
+    : kernels_(kernels),
+      scene_(scene),
+      free_space_(free_space),
+      candidates_(candidates),
+      lights_(lights),
+      options_(options),
+      clock_(clock),
+      tables_(kernels) {}
+
+PencilSet PencilSolver::create(int index, const PencilSet* source, bool emission, bool direct) {
+    PencilSet set;
+    const PowerSeen power = [&](std::shared_ptr<GeometryMaps> maps) { return power_seen(std::move(maps), source, emission, direct); };
+    times_.maps += clock_.run("pencil maps", [&] {
+        set = PencilSet(kernels_.device(), free_space_.create(kernels_, candidates_, set_size(options_, index), index, power));
+    });
+    return set;
+}
+
+/// Mean radiance of maps that are not kept.
+std::vector<float4> PencilSolver::power_seen(std::shared_ptr<GeometryMaps> maps, const PencilSet* source, bool emission, bool direct) {
+    PencilSet probes(kernels_.device(), std::move(maps));
+    const int n = probes.maps->n, tiles = std::min(chunk_surfels / (n * n), probes.maps->count);
+    Surfels surfels(kernels_.device(), tiles * n * n, "surfels of probes");
+    Buffer<float> outgoing = surfel_rgb(kernels_.device(), surfels.capacity, "radiance of probes");
+    Buffer<int> visible(kernels_.device(), static_cast<std::size_t>(surfels.capacity), "visible pencils");
+    for (int first = 0; first < probes.maps->count; first += tiles) {
+        const int count = std::min(tiles, probes.maps->count - first);
+        send(*probes.maps, first, count, source, emission, direct, surfels, outgoing, visible);
+        store_radiance(kernels_, surfels, outgoing, first, count, probes);
+    }
+    return mean_radiance(kernels_, probes);
+}
+
+/// What texels of tiles first .. first + count send to their centres.
+void PencilSolver::send(const GeometryMaps& maps, int first, int count, const PencilSet* source, bool emission, bool direct,
+                        Surfels& surfels, Buffer<float>& outgoing, Buffer<int>& visible) {
+    gather_surfels(kernels_, scene_, maps, first, count, surfels);
+    outgoing.fill_zero();
+    if (emission) emit_surfels(kernels_, scene_, surfels, true, outgoing);
+    if (direct) light_surfels(kernels_, scene_, surfels, lights_, outgoing, "direct light to pencils");
+    if (source) project_pencils(kernels_, scene_, surfels, *source, tables_, outgoing, visible, "pencil transport");
+}
+
+void PencilSolver::fill(PencilSet& target, const PencilSet* source, bool emission, bool direct, bool weights) {
+    const auto& device = kernels_.device();
+    const int n = target.maps->n;
+    const int tiles = chunk_tiles(n, target.maps->count);
+    Surfels surfels(device, tiles * n * n, "surfels of pencil maps");
+    Buffer<float> outgoing = surfel_rgb(device, surfels.capacity, "radiance of pencil maps");
+    Buffer<int> visible(device, static_cast<std::size_t>(surfels.capacity), "visible pencils");
+    const bool density = weights && weights_in_maps(options_.weights);
+    Buffer<uint> mask;
+    if (density && weights_need_masks(options_.weights))
+        mask = Buffer<uint>(device, static_cast<std::size_t>(surfels.capacity) * static_cast<std::size_t>(mask_words(target.maps->count)),
+                            "visibility masks");
+    for (int first = 0; first < target.maps->count; first += tiles) {
+        const int count = std::min(tiles, target.maps->count - first);
+        times_.transport += clock_.run(source ? "pencil transport" : "initial gather", [&] {
+            send(*target.maps, first, count, source, emission, direct, surfels, outgoing, visible);
+            if (!density) store_radiance(kernels_, surfels, outgoing, first, count, target);
+        });
+        if (!density) continue;
+        clock_.run("pencil density", [&] {
+            if (weights_need_masks(options_.weights)) {
+                test_visibility(kernels_, scene_, surfels, *target.maps, mask);
+                estimate_density(kernels_, surfels, mask, first, target);
+            } else {
+                free_path_density(kernels_, first, count, free_space_.space(), target);
+            }
+            store_radiance(kernels_, surfels, outgoing, first, count, target);
+        });
+    }
+}
+
+}  // namespace pencil

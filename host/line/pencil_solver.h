@@ -1,0 +1,55 @@
+// One pencil set after the other: creation, initial gather, transport. Knows kernels and sets, not the film.
+#pragma once
+
+#include "line/placement/candidate_source.h"
+#include "device/device_scene.h"
+#include "device/features.h"
+#include "line/free_space.h"
+#include "device/pencil_set.h"
+#include "render/render.h"
+#include "device/stage_clock.h"
+#include "device/surfels.h"
+#include "line/weights.h"
+
+namespace pencil {
+
+/// Device seconds of making one set.
+struct SetTimes {
+    double maps = 0, transport = 0;
+};
+
+class PencilSolver {
+public:
+    PencilSolver(Kernels& kernels, const DeviceScene& scene, FreeSpace& free_space, CandidateSource& candidates, const LightSet& lights,
+                 const RenderOptions& options, StageClock& clock);
+
+    /// Set number `index` of the series: its centres, geometry maps. The other arguments are those of fill(): the
+    /// light that the set is to carry, on which its centres may depend.
+    PencilSet create(int index, const PencilSet* source, bool emission, bool direct);
+
+    /// What the texels of `target` send to their centres, which becomes its radiance: emission that the maps carry (`emission`), reflected
+    /// direct light (`direct`), and the radiance of `source` after one more bounce (if not null; thesis alg. 6.3). With `weights` the
+    /// quadrature weights of its texels are made too (alg. 6.1), where the form needs any.
+    void fill(PencilSet& target, const PencilSet* source, bool emission, bool direct, bool weights);
+
+    WeightTables& weight_tables() { return tables_; }
+    const SetTimes& times() const { return times_; }
+    void reset_times() { times_ = {}; }
+
+private:
+    std::vector<float4> power_seen(std::shared_ptr<GeometryMaps> maps, const PencilSet* source, bool emission, bool direct);
+    void send(const GeometryMaps& maps, int first, int count, const PencilSet* source, bool emission, bool direct, Surfels& surfels,
+              Buffer<float>& outgoing, Buffer<int>& visible);
+
+    Kernels& kernels_;
+    const DeviceScene& scene_;
+    FreeSpace& free_space_;
+    CandidateSource& candidates_;
+    const LightSet& lights_;
+    const RenderOptions& options_;
+    StageClock& clock_;
+    WeightTables tables_;
+    SetTimes times_;
+};
+
+}  // namespace pencil

@@ -1,0 +1,48 @@
+#include "line/planned_maps.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "film/frame.h"
+
+namespace pencil {
+
+namespace {
+
+/// Sets do not shrink below this: bounces late in the series are smooth, but not constant.
+constexpr int smallest_set = 16;
+/// Sets of a series that is not limited: the tolerance ends it.
+constexpr int expected_sets = 8;
+
+bool any_emitter(const Scene& scene, const std::vector<LightForm>& forms, LightForm form) {
+    for (std::size_t i = 0; i < forms.size(); ++i)
+        if (scene.shapes[i].emits && forms[i] == form) return true;
+    return false;
+}
+
+/// Sets that carry what is wanted: the first carries order 1 where maps emit, else order 2.
+int planned_sets(const RenderOptions& options, bool maps_emit) {
+    const int wanted = options.bounces < 0 ? expected_sets : options.bounces - (maps_emit ? 0 : 1);
+    return std::clamp(wanted, 0, options.iterate == Iterate::fixed ? 1 : expected_sets);
+}
+
+}  // namespace
+
+int set_size(const RenderOptions& options, int index) {
+    const double size = options.pencils * std::pow(options.decay, index);
+    return std::max(static_cast<int>(std::lround(size)), std::min(options.pencils, smallest_set));
+}
+
+std::vector<MapBatch> planned_maps(const Scene& scene, const std::vector<LightForm>& forms, const RenderOptions& options) {
+    std::vector<MapBatch> batches;
+    if (options.method == Method::surface || options.bounces == 0) return batches;
+    if (!scene.point_lights.empty() || any_emitter(scene, forms, LightForm::samples))
+        batches.push_back({options.light_samples, light_map_size(options.map)});
+    const int sets = planned_sets(options, any_emitter(scene, forms, LightForm::maps));
+    int pencils = 1;  // the camera's map finds rooms
+    for (int index = 0; index < sets; ++index) pencils += set_size(options, index);
+    if (sets > 0) batches.push_back({pencils, options.map});
+    return batches;
+}
+
+}  // namespace pencil

@@ -1,0 +1,65 @@
+#include "line/weights.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pencils/cell_directions.h"
+#include "shared/weights.h"
+#include "device/features.h"
+
+namespace pencil {
+
+int kernel_weights(Weights weights) {
+    switch (weights) {
+        case Weights::voronoi:
+            return PENCIL_WEIGHTS_VORONOI;
+        case Weights::analytic:
+            return PENCIL_WEIGHTS_ANALYTIC;
+        case Weights::thesis:
+            return PENCIL_WEIGHTS_THESIS;
+        case Weights::dpdf:
+            break;
+    }
+    return PENCIL_WEIGHTS_DPDF;
+}
+
+std::string weights_library(Weights weights) { return weights == Weights::voronoi ? "weights_voronoi" : "weights_density"; }
+
+std::string explain_weights(Weights weights, int grid) {
+    switch (weights) {
+        case Weights::voronoi:
+            return "weights: Voronoi cells of the visible directions, sampled by " + std::to_string(grid * grid) +
+                   " directions; left out: visibility masks and density";
+        case Weights::analytic:
+            return "weights: self-normalised 1/p, p from the free path and the free volume; left out: visibility masks";
+        case Weights::thesis:
+            return "weights: the printed normaliser of eq. (5.33), which is not consistent";
+        case Weights::dpdf:
+            break;
+    }
+    return "weights: self-normalised 1/D, beta from the number of visible pencils";
+}
+
+int cell_grid(int pencils) {
+    constexpr int directions_per_pencil = 4, width = 4, smallest = 8, largest = 48;
+    const double root = std::sqrt(static_cast<double>(directions_per_pencil) * pencils);
+    return std::clamp(width * static_cast<int>(std::ceil(root / width)), smallest, largest);
+}
+
+int largest_cell_grid(int pencils) {
+    const int grid = cell_grid(pencils);
+    return grid <= 24 ? 24 : 48;
+}
+
+const CellTable& WeightTables::cells(int pencils) {
+    const bool voronoi = kernels_.features().weights == Weights::voronoi;
+    const int grid = voronoi ? std::min(cell_grid(pencils), kernels_.features().cell_grid) : 0;
+    CellTable& table = cells_[grid];
+    if (!table.directions.allocated()) {
+        table.directions = Buffer<float4>(kernels_.device(), voronoi ? cell_directions(grid) : std::vector<float4>(), "cell directions");
+        table.tiles = grid * grid / PENCIL_CELL_TILE;
+    }
+    return table;
+}
+
+}  // namespace pencil

@@ -1,0 +1,14 @@
+// PLY in its three encodings: the positions, normals and faces of a mesh; all other elements and properties are skipped.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "scene/meshes/mesh.h"
+
+namespace pencil {
+
+/// `name` is the file's name for messages. Polygons become fans from their first corner.
+Mesh read_ply(std::string_view bytes, const std::string& name);
+
+}  // namespace pencil

@@ -1,0 +1,156 @@
+#include "surface/film_pencils.h"
+
+#include <algorithm>
+
+#include "shared/film.h"
+
+namespace pencil {
+
+namespace {
+
+/// Width of the maps of single pencils: there are many of them where much is small, and no other pencil needs what they know.
+constexpr int single_map = 4;
+/// A level of the lattice that would have more points than this share of the pixels is left to single pencils: where so little reaches so
+/// little, neighbours do not help each other.
+constexpr double most_new = 0.2;
+
+}  // namespace
+
+SurfacePencils seed_pencils(Kernels& kernels, const Film& film, int spacing, int map) {
+    const std::vector<unsigned char> counts = film.counts().read();
+    const std::vector<int> first = film.first_surfel().read();
+    const int columns = (film.width() + spacing - 1) / spacing, rows = (film.height() + spacing - 1) / spacing;
+    std::vector<bool> seeded(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), false);
+    ChosenSurfels chosen;
+    for (std::size_t pixel = 0; pixel < counts.size(); ++pixel) {
+        const int x = static_cast<int>(pixel) % film.width(), y = static_cast<int>(pixel) / film.width();
+        const int cell = y / spacing * columns + x / spacing;
+        if (seeded[static_cast<std::size_t>(cell)] || (counts[pixel] & FILM_COUNT_MASK) == 0) continue;
+        seeded[static_cast<std::size_t>(cell)] = true;
+        chosen.add(first[pixel], static_cast<uint>(pixel), glm::vec3(film.eye()));
+    }
+    SurfacePencils seeds(kernels.device(), 1, map);
+    place_surface_pencils(kernels, film.surfels(), chosen, seeds);
+    return seeds;
+}
+
+FilmPencils::FilmPencils(Kernels& kernels, const Film& film, const FilmLattice& lattice)
+    : kernels_(kernels),
+      film_(film),
+      lattice_(lattice),
+      counts_(film.counts().read()),
+      first_(film.first_surfel().read()),
+      at_(counts_.size(), -1),
+      pencil_at_(kernels.device(), at_, "film pencils by pixel"),
+      pencils_(kernels.device(), 1, lattice.map),
+      singles_(kernels.device(), 1, single_map),
+      single_at_(kernels.device(), std::vector<int>(static_cast<std::size_t>(film.surfels().capacity), -1),
+                 "single film pencils by surfel") {
+    std::vector<int> pixels;
+    const int width = film.width(), height = film.height(), step = lattice.coarsest;
+    for (int y = 0;; y = std::min(y + step, height - 1)) {
+        for (int x = 0;; x = std::min(x + step, width - 1)) {
+            pixels.push_back(y * width + x);
+            if (x == width - 1) break;
+        }
+        if (y == height - 1) break;
+    }
+    place(pixels, step);
+}
+
+/// Pencils on the first surface of each pixel; pixels that show nothing or have one already get none.
+void FilmPencils::place(const std::vector<int>& pixels, int spacing) {
+    ChosenSurfels chosen;
+    int next = pencils_.count;
+    for (int pixel : pixels) {
+        const auto p = static_cast<std::size_t>(pixel);
+        if (at_[p] >= 0 || (counts_[p] & FILM_COUNT_MASK) == 0) continue;
+        at_[p] = next++;
+        chosen.add(first_[p], static_cast<uint>(pixel), glm::vec3(film_.eye()));
+    }
+    place_surface_pencils(kernels_, film_.surfels(), chosen, pencils_, static_cast<float>(spacing));
+    pencil_at_.write(at_);
+}
+
+/// Surfels that the lattice down to `spacing` leaves uncovered.
+std::vector<unsigned char> FilmPencils::uncovered(int spacing) {
+    const Surfels& surfels = film_.surfels();
+    if (uncovered_.empty())
+        uncovered_ = Buffer<unsigned char>(kernels_.device(), std::vector<unsigned char>(static_cast<std::size_t>(surfels.capacity), 1),
+                                           "uncovered surfels");
+    kernels_.get("cover_film")
+        .args(surfels.data, surfels.capacity, film_.counts(), film_.first_surfel(), pencils_.data, pencil_at_, lattice_.coarsest, spacing,
+              lattice_.most_error, film_.width(), film_.height(), uncovered_)
+        .run(counts_.size(), "cover film");
+    return uncovered_.read(0, static_cast<std::size_t>(surfels.count));
+}
+
+/// New lattice points, at half the spacing, of all cells that hold uncovered surfels.
+std::vector<int> FilmPencils::finer_pixels(const std::vector<unsigned char>& uncovered, int spacing) const {
+    const auto width = static_cast<std::size_t>(film_.width()), height = static_cast<std::size_t>(film_.height()),
+               step = static_cast<std::size_t>(spacing);
+    std::vector<bool> wanted(counts_.size(), false);
+    for (std::size_t y = 0; y < height; ++y)
+        for (std::size_t x = 0; x < width; ++x) {
+            const std::size_t pixel = y * width + x;
+            const auto first = uncovered.begin() + first_[pixel], last = first + (counts_[pixel] & FILM_COUNT_MASK);
+            if (std::find(first, last, 1) == last) continue;
+            const std::size_t left = x / step * step, top = y / step * step;
+            for (std::size_t py = top; py <= top + step; py += step / 2)
+                for (std::size_t px = left; px <= left + step; px += step / 2)
+                    wanted[std::min(py, height - 1) * width + std::min(px, width - 1)] = true;
+        }
+    std::vector<int> pixels;
+    for (std::size_t p = 0; p < wanted.size(); ++p)
+        if (wanted[p] && at_[p] < 0) pixels.push_back(static_cast<int>(p));
+    return pixels;
+}
+
+void FilmPencils::refine(SurfaceSolver& solver, const TexelPoints& points) {
+    const auto gather = [&] {
+        solver.gather(pencils_, gathered_, pencils_.count - gathered_, points);
+        gathered_ = pencils_.count;
+    };
+    gather();
+    for (int spacing = lattice_.coarsest; spacing > 1 && !solver.stopped(); spacing /= 2) {
+        const std::vector<int> pixels = finer_pixels(uncovered(spacing), spacing);
+        if (static_cast<double>(pixels.size()) > most_new * static_cast<double>(counts_.size())) {
+            finest_ = spacing;
+            break;
+        }
+        place(pixels, spacing / 2);
+        gather();
+    }
+    if (solver.stopped()) return;
+    place_singles(uncovered(finest_));
+    solver.gather(singles_, 0, singles_.count, points);
+}
+
+/// A pencil for each uncovered surfel: at silhouettes, in creases and on small things.
+void FilmPencils::place_singles(const std::vector<unsigned char>& uncovered) {
+    ChosenSurfels chosen;
+    std::vector<int> at(uncovered.size(), -1);
+    for (std::size_t pixel = 0; pixel < counts_.size(); ++pixel)
+        for (int k = 0; k < (counts_[pixel] & FILM_COUNT_MASK); ++k) {
+            const int i = first_[pixel] + k;
+            if (!uncovered[static_cast<std::size_t>(i)]) continue;
+            at[static_cast<std::size_t>(i)] = static_cast<int>(chosen.surfels.size());
+            chosen.add(i, static_cast<uint>(pixel + static_cast<std::size_t>(k + 1) * counts_.size()), glm::vec3(film_.eye()));
+        }
+    place_surface_pencils(kernels_, film_.surfels(), chosen, singles_);
+    single_at_.write(at);
+}
+
+void FilmPencils::project(Buffer<float>& outgoing) {
+    const Surfels& surfels = film_.surfels();
+    Buffer<float4> fits(kernels_.device(), 3 * static_cast<std::size_t>(pencils_.count), "irradiance of film pencils");
+    kernels_.get("smooth_irradiance")
+        .args(pencils_.data, pencil_at_, lattice_.smooth, film_.width(), film_.height(), fits)
+        .run(counts_.size(), "smooth irradiance");
+    kernels_.get("project_film_pencils")
+        .args(surfels.data, surfels.capacity, film_.counts(), film_.first_surfel(), pencils_.data, fits, pencil_at_, lattice_.coarsest,
+              finest_, 2.0F * lattice_.most_error, singles_.data, single_at_, film_.width(), film_.height(), outgoing)
+        .run(counts_.size(), "project film pencils");
+}
+
+}  // namespace pencil

@@ -1,0 +1,124 @@
+#include "surface/surface_solver.h"
+
+#include <algorithm>
+#include <glm/gtx/component_wise.hpp>
+
+#include "pencils/low_discrepancy.h"
+#include "film/bounce_series.h"
+#include "film/light_surfels.h"
+
+namespace pencil {
+
+namespace {
+
+/// Texels that are worked on at once: bounds memory and the length of a launch.
+constexpr int chunk_surfels = 1 << 18;
+constexpr int most_iterations = 512;
+/// Light samples that a packet of texels chooses from.
+constexpr int most_candidates = 24;
+/// The world's bounces stop at this share of the tolerance of the image.
+constexpr double tolerance_share = 0.1;
+
+glm::dvec3 power(const std::vector<float4>& irradiance) {
+    glm::dvec3 sum(0);
+    for (const float4& e : irradiance) sum += glm::dvec3(e);
+    return sum;
+}
+
+}  // namespace
+
+SurfaceSolver::SurfaceSolver(Kernels& kernels, const DeviceScene& scene, const FlatScene& flat, SurfaceLights lights,
+                             const WorldQuality& quality, StageClock& clock, uint seed)
+    : kernels_(kernels),
+      scene_(scene),
+      lights_(std::move(lights)),
+      quality_(quality),
+      clock_(clock),
+      seed_(seed),
+      world_(kernels, scene, flat, quality.pencils, seed_) {}
+
+void SurfaceSolver::solve(const SurfacePencils& seeds, int orders, double tolerance) {
+    direct_ = orders < 0 || orders >= 2;
+    if (!direct_) return;  // film pencils see no reflections
+    clock_.run("world pencils", [&] { world_.cover(seeds); });
+    clock_.run("world bounces", [&] { iterate(orders, tolerance); });
+}
+
+/// Room for the texels of one chunk.
+void SurfaceSolver::reserve(int texels) {
+    if (surfels_.capacity >= texels) return;
+    surfels_ = Surfels(kernels_.device(), texels, "surfels of surface pencils");
+    outgoing_ = surfel_rgb(kernels_.device(), surfels_.capacity, "radiance to surface pencils");
+}
+
+/// Adds reflected light of the light samples.
+void SurfaceSolver::light(const Surfels& surfels, Buffer<float>& outgoing, uint seed) {
+    const int count = lights_.samples.maps.count;
+    if (count > 0)
+        sample_lights(kernels_, scene_, surfels, lights_.samples, std::max(count / most_candidates, 1), quality_.light_draws, seed,
+                      outgoing);
+}
+
+void SurfaceSolver::gather(SurfacePencils& pencils, int first, int count, const TexelPoints& points) {
+    const int chunk = std::max(chunk_surfels / pencils.texels(), 1);
+    for (int at = first; at < first + count; at += chunk) {
+        const int part = std::min(chunk, first + count - at);
+        reserve(part * pencils.texels());
+        trace_hemispheres(kernels_, scene_, pencils, at, part, points, surfels_);
+        measure_hemispheres(kernels_, surfels_, 0, at, part, pencils);
+        outgoing_.fill_zero();
+        emit_hemispheres(kernels_, scene_, surfels_, pencils, at, lights_.near_film, outgoing_);
+        if (direct_) light(surfels_, outgoing_, static_cast<uint>(hash64((std::uint64_t{seed_} << 32) + ++gathers_) >> 32));
+        if (world_.pencils().count > 0) project_surface_pencils(kernels_, surfels_, world_.pencils(), world_.grid(), outgoing_);
+        sum_hemispheres(kernels_, outgoing_, surfels_.capacity, 0, at, part, pencils);
+    }
+}
+
+/// Irradiance of all pencils of the world set from emitters near them, or from reflected light of the light samples.
+std::vector<float4> SurfaceSolver::irradiance(bool emission, bool direct) {
+    SurfacePencils& pencils = world_.pencils();
+    if (pencils.count == 0) return {};
+    Buffer<float> outgoing = surfel_rgb(kernels_.device(), world_.surfels().capacity, "radiance to the world set");
+    if (emission) emit_hemispheres(kernels_, scene_, world_.surfels(), pencils, 0, lights_.near_texel, outgoing);
+    if (direct) light(world_.surfels(), outgoing, seed_);
+    sum_hemispheres(kernels_, outgoing, world_.surfels().capacity, 0, 0, pencils.count, pencils);
+    std::vector<float4> values;
+    for (const SurfacePencil& p : pencils.data.read(0, static_cast<std::size_t>(pencils.count))) values.push_back(p.irradiance);
+    return values;
+}
+
+/// Step k is irradiance that the film's pencils reflect as order k + 2: it starts with emission, and reflected light of the
+/// light samples joins in step 1.
+void SurfaceSolver::iterate(int orders, double tolerance) {
+    const int count = world_.pencils().count;
+    if (count == 0) return;
+    const auto& device = kernels_.device();
+    const std::vector<float4> dark(static_cast<std::size_t>(count), float4(0));
+    const std::vector<float4> emitted = irradiance(true, false);
+    const std::vector<float4> lit = lights_.samples.maps.count > 0 && orders != 2 ? irradiance(false, true) : dark;
+    Buffer<float4> source(device, emitted, "irradiance"), target(device, dark, "irradiance"),
+        total(device, emitted, "irradiance of all bounces");
+    BounceSeries series;
+    series.add(power(emitted));
+    for (int k = 1; k < most_iterations && (orders < 0 || k + 2 <= orders); ++k) {
+        target.fill_zero();
+        if (k == 1) target.write(lit);
+        kernels_.get("transport_irradiance")
+            .args(world_.surfels().data, world_.surfels().capacity, world_.links().pencils, world_.links().weights, count,
+                  world_.pencils().n, source, target, total)
+            .run(static_cast<std::size_t>(count), "transport irradiance", 8);
+        std::swap(source, target);
+        // The series begins where all light has joined it.
+        if (k == 1) series = {};
+        series.add(power(source.read()));
+        if (orders < 0 && k >= 3 && series.last_share() <= tolerance * tolerance_share) break;
+    }
+    const glm::vec3 tail = orders < 0 ? glm::vec3(series.tail_factor()) : glm::vec3(0);
+    residual_ = glm::compMax(glm::dvec3(tail)) * series.last_share();
+    std::vector<SurfacePencil> pencils = world_.pencils().data.read(0, static_cast<std::size_t>(count));
+    const std::vector<float4> all = total.read(), rest = source.read();
+    for (std::size_t i = 0; i < pencils.size(); ++i) pencils[i].irradiance = all[i] + float4(tail, 0) * rest[i];
+    world_.pencils().data.write(pencils);
+}
+
+}  // namespace pencil

@@ -1,0 +1,58 @@
+// Light of surface pencils: the world set's irradiance after all bounces, and what film pencils gather from it.
+#pragma once
+
+#include "render/render.h"
+#include "device/stage_clock.h"
+#include "surface/world_set.h"
+
+namespace pencil {
+
+/// How finely the world set is sampled.
+struct WorldQuality {
+    int pencils = 1000;   // about so many if every surface reflects light that matters
+    int light_draws = 4;  // light samples of a packet of texels
+};
+
+/// What lights surface pencils.
+struct SurfaceLights {
+    LightSet samples;                     // that texels draw from
+    Buffer<float> near_film, near_texel;  // near_areas of the film's light samples and of those
+};
+
+class SurfaceSolver {
+public:
+    SurfaceSolver(Kernels& kernels, const DeviceScene& scene, const FlatScene& flat, SurfaceLights lights, const WorldQuality& quality,
+                  StageClock& clock, uint seed);
+
+    /// Places the world set from what the texels of `seeds` see and iterates bounces. Orders of reflection up to `orders` (-1: until the
+    /// tolerance).
+    void solve(const SurfacePencils& seeds, int orders, double tolerance);
+
+    /// What pencils first .. first + count of a set see and receive, after solve().
+    void gather(SurfacePencils& pencils, int first, int count, const TexelPoints& points);
+
+    const SurfacePencils& world() const { return world_.pencils(); }
+    bool stopped() const { return clock_.stopped(); }
+    double residual() const { return residual_; }
+
+private:
+    std::vector<float4> irradiance(bool emission, bool direct);
+    void light(const Surfels& surfels, Buffer<float>& outgoing, uint seed);
+    void iterate(int orders, double tolerance);
+    void reserve(int texels);
+
+    Kernels& kernels_;
+    const DeviceScene& scene_;
+    SurfaceLights lights_;
+    WorldQuality quality_;
+    StageClock& clock_;
+    uint seed_;
+    WorldSet world_;
+    Surfels surfels_;            // of one chunk of gather()
+    Buffer<float> outgoing_;     // their radiance
+    bool direct_ = true;         // reflections of order 2 are part of the image
+    std::uint64_t gathers_ = 0;  // so far: each draws other light samples
+    double residual_ = 0;
+};
+
+}  // namespace pencil

@@ -1,0 +1,43 @@
+// The world set: surface pencils wherever light is reflected that matters to the film, what they see, and which of them stand for what they
+// see.
+#pragma once
+
+#include "pencils/thin_points.h"
+#include "surface/surface_pencils.h"
+
+namespace pencil {
+
+class WorldSet {
+public:
+    /// `wish`: about so many pencils if every surface reflects light that matters; `seed`: of the points within texels.
+    WorldSet(Kernels& kernels, const DeviceScene& scene, const FlatScene& flat, int wish, uint seed);
+
+    /// Places pencils on what the texels of `seeds` see, then on what those see, and so on, until all that is seen is covered; then more
+    /// where what is seen lies beyond the reach of all: behind edges, in corners and near contacts.
+    void cover(const SurfacePencils& seeds);
+
+    SurfacePencils& pencils() { return pencils_; }
+    const SurfacePencils& pencils() const { return pencils_; }
+    const Surfels& surfels() const { return surfels_; }  // what their texels see, texels() per pencil
+    const DeviceGrid& grid() const { return grid_; }
+    const SurfaceLinks& links() const { return links_; }  // of the surfels
+
+private:
+    ChosenSurfels choose(const Surfels& surfels, int first, const std::vector<bool>& skip, const SurfacePencils& viewers,
+                         PointThinner& thinner) const;
+    int extend(const Surfels& surfels, const ChosenSurfels& chosen);
+    int fill(const Surfels& surfels, const SurfaceLinks& links, const SurfacePencils& viewers, PointThinner& thinner);
+
+    Kernels& kernels_;
+    const DeviceScene& scene_;
+    const FlatScene& flat_;
+    int wish_;
+    uint seed_;
+    float spacing_;
+    SurfacePencils pencils_;
+    Surfels surfels_;
+    DeviceGrid grid_;
+    SurfaceLinks links_;
+};
+
+}  // namespace pencil

@@ -1,0 +1,11 @@
+#include "visibility/fold_hits.h"
+
+namespace pencil {
+
+void fold_hits(Kernels& kernels, const DeviceScene& scene, GeometryMaps& maps, int first, int count) {
+    kernels.get("fold_hits")
+        .args(scene.triangles, scene.planes, maps.cops, first, count, maps.n, maps.hits, maps.cells, maps.groups)
+        .run(static_cast<std::size_t>(count) * static_cast<std::size_t>(PENCIL_TILE_TEXELS(maps.n)), "fold geometry maps");
+}
+
+}  // namespace pencil

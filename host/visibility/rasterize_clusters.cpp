@@ -1,0 +1,15 @@
+#include "visibility/rasterize_clusters.h"
+
+#include "visibility/fold_hits.h"
+
+namespace pencil {
+
+void rasterize_clusters(Kernels& kernels, const DeviceScene& scene, GeometryMaps& maps, int first, int count) {
+    kernels.get("rasterize_clusters")
+        .args(scene.triangles, scene.triangle_count, scene.planes, scene.clusters, scene.cluster_count, scene.members, maps.cops, first,
+              count, maps.n, maps.hits)
+        .run(8 * static_cast<std::size_t>(count), "rasterize clusters", 1);
+    fold_hits(kernels, scene, maps, first, count);
+}
+
+}  // namespace pencil

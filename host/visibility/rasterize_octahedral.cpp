@@ -1,0 +1,14 @@
+#include "visibility/rasterize_octahedral.h"
+
+#include "visibility/fold_hits.h"
+
+namespace pencil {
+
+void rasterize_octahedral(Kernels& kernels, const DeviceScene& scene, GeometryMaps& maps, int first, int count) {
+    kernels.get("rasterize_octahedral")
+        .args(scene.triangles, scene.triangle_count, scene.planes, maps.cops, first, count, maps.n, maps.hits)
+        .run(8 * static_cast<std::size_t>(count), "rasterize octahedral maps", 1);
+    fold_hits(kernels, scene, maps, first, count);
+}
+
+}  // namespace pencil

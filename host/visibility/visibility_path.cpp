@@ -1,0 +1,133 @@
+#include "visibility/visibility_path.h"
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+namespace pencil {
+
+namespace {
+
+/// The header's formula, times in nanoseconds.
+struct PathCost {
+    double map, triangle, texel, shared, exponent;
+};
+
+PathCost cost_of(VisibilityPath path) {
+    switch (path) {
+        case VisibilityPath::rasterize:
+            return {11.2e3, 57.0, 11.0, 0.041, 1.25};
+        case VisibilityPath::clusters:
+            return {13.3e3, 1.5, 11.0, 0.275, 1.0};
+        case VisibilityPath::trace:
+            return {1.0e3, 0.0, 28.1, 0.0126, 1.5};
+    }
+    return {};
+}
+
+bool available(VisibilityPath path, const MapBatch& batch, const Prepared& prepared) {
+    switch (path) {
+        case VisibilityPath::rasterize:
+            return true;
+        case VisibilityPath::clusters:
+            return prepared.clusters;
+        case VisibilityPath::trace:
+            return prepared.bvh && batch.size % 4 == 0;
+    }
+    return false;
+}
+
+const char* words(VisibilityPath path) {
+    switch (path) {
+        case VisibilityPath::rasterize:
+            return "rasterised";
+        case VisibilityPath::clusters:
+            return "rasterised by clusters";
+        case VisibilityPath::trace:
+            return "traced";
+    }
+    return "";
+}
+
+/// Two digits [s].
+std::string seconds_text(double seconds) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2g s", seconds);
+    return text;
+}
+
+double total_seconds(int triangles, const std::vector<MapBatch>& batches, int compute_units, const Prepared& prepared) {
+    double sum = prepared.clusters ? preparation_seconds(VisibilityPath::clusters, triangles) : 0.0;
+    if (prepared.bvh) sum += preparation_seconds(VisibilityPath::trace, triangles);
+    for (const MapBatch& batch : batches)
+        sum += maps_seconds(choose_path(triangles, batch, compute_units, prepared), triangles, batch, compute_units);
+    return sum;
+}
+
+}  // namespace
+
+double preparation_seconds(VisibilityPath path, int triangles) {
+    switch (path) {
+        case VisibilityPath::rasterize:
+            return 0.0;
+        case VisibilityPath::clusters:
+            return 90e-9 * triangles;
+        case VisibilityPath::trace:
+            return 0.2e-3 + 700e-9 * triangles;
+    }
+    return 0.0;
+}
+
+double maps_seconds(VisibilityPath path, int triangles, const MapBatch& batch, int compute_units) {
+    const PathCost cost = cost_of(path);
+    const double size = batch.size;
+    const double map =
+        cost.map + cost.triangle * triangles + cost.texel * size * size + cost.shared * triangles * std::pow(size, cost.exponent);
+    return 1e-9 * batch.maps * map / compute_units;
+}
+
+VisibilityPath choose_path(int triangles, const MapBatch& batch, int compute_units, const Prepared& prepared) {
+    VisibilityPath best = VisibilityPath::rasterize;
+    double least = std::numeric_limits<double>::infinity();
+    for (const VisibilityPath path : visibility_paths) {
+        const double seconds = maps_seconds(path, triangles, batch, compute_units);
+        if (!available(path, batch, prepared) || seconds >= least) continue;
+        best = path;
+        least = seconds;
+    }
+    return best;
+}
+
+Prepared plan_preparation(int triangles, const std::vector<MapBatch>& batches, int compute_units) {
+    Prepared best;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Prepared& prepared : {Prepared{false, false}, Prepared{true, false}, Prepared{false, true}, Prepared{true, true}}) {
+        const double seconds = total_seconds(triangles, batches, compute_units, prepared);
+        if (seconds >= least) continue;
+        best = prepared;
+        least = seconds;
+    }
+    return best;
+}
+
+std::string explain_paths(int triangles, const std::vector<MapBatch>& batches, int compute_units, const Prepared& prepared) {
+    std::string text = "geometry maps over " + std::to_string(triangles) + " triangles: ";
+    for (const MapBatch& batch : batches) {
+        const std::string size = std::to_string(batch.size);
+        text += "about " + std::to_string(batch.maps) + " of " + size + "x" + size + " " +
+                words(choose_path(triangles, batch, compute_units, prepared)) + " (predicted:";
+        for (const VisibilityPath path : visibility_paths)
+            text += std::string(path == VisibilityPath::rasterize ? " " : ", ") + words(path) + " " +
+                    seconds_text(maps_seconds(path, triangles, batch, compute_units));
+        text += "); ";
+    }
+    if (!prepared.clusters && !prepared.bvh) return text + "nothing to prepare";
+    text += "preparation:";
+    if (prepared.clusters) text += " clusters " + seconds_text(preparation_seconds(VisibilityPath::clusters, triangles));
+    if (prepared.bvh)
+        text +=
+            std::string(prepared.clusters ? "," : "") + " hierarchy " + seconds_text(preparation_seconds(VisibilityPath::trace, triangles));
+    return text;
+}
+
+}  // namespace pencil
