@@ -8,7 +8,7 @@
 #include "pencils/flat_scene.h"
 #include "device/device_scene.h"
 #include "film/film.h"
-#include "render/render.h"
+#include "options/layer.h"
 
 namespace pencil {
 
@@ -17,7 +17,7 @@ glm::dvec3 mean_rgb(const std::vector<float>& pixels);
 
 class FilmLayers {
 public:
-    /// `aovs`: "emission", "direct", "bounces", "albedo", "normal", "depth", "position"; others are a UsageError.
+    /// `aovs`: some of layer_groups(); others are a UsageError.
     explicit FilmLayers(const std::vector<std::string>& aovs);
 
     /// Emission (always part of the beauty) and the wanted properties of the surfaces.
@@ -27,7 +27,8 @@ public:
     void add_bounce(int order, std::vector<float> pixels);
     /// Adds the last bounce times `factor` as the rest of the series ("tail"). Returns its mean relative to the image's.
     double close_series(const glm::dvec3& factor);
-    /// Beauty first, then the wanted layers in a fixed order.
+    /// Beauty first, then the wanted layers in a fixed order. take() leaves nothing behind.
+    std::vector<Layer> snapshot(int width, int height) const { return FilmLayers(*this).take(width, height); }
     std::vector<Layer> take(int width, int height);
 
 private:

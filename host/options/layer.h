@@ -1,4 +1,4 @@
-// One image of a result that has several.
+// The layers of an image: their names, once for everyone who makes, writes or compares them.
 #pragma once
 
 #include <string>
@@ -6,11 +6,28 @@
 
 namespace pencil {
 
-/// One image: `channels` floats per pixel, rows from the top.
+/// One layer; rows from the top, channels interleaved.
 struct Layer {
     std::string name;  // "" is the beauty; otherwise "direct", "bounce2", "albedo", "normal", "depth", "position" ...
     int channels = 3;
     std::vector<float> pixels;
 };
+
+/// What --aov chooses from, in the order of files: "emission", "direct", "bounces" (all that bounce_layer names from order 2 on, "indirect",
+/// and the tail of the series), "albedo", "normal", "depth", "position".
+const std::vector<std::string>& layer_groups();
+
+/// "direct" for order 1, then "bounce2" and so on.
+std::string bounce_layer(int order);
+
+/// All reflections from order 2 on in one layer.
+constexpr const char* indirect_layer = "indirect";
+/// Estimated standard error of the beauty.
+constexpr const char* error_layer = "error";
+/// Estimated variance of the mean (path tracer).
+constexpr const char* variance_layer = "variance";
+
+/// True if `group` is among `groups`.
+bool has_group(const std::vector<std::string>& groups, const std::string& group);
 
 }  // namespace pencil
