@@ -13,9 +13,12 @@ namespace {
 std::string cell(const std::string& text) {
     std::string safe;
     for (const char c : text) {
-        if (c == '|') safe += "\\|";
-        else if (c == '<') safe += "&lt;";
-        else safe += c;
+        if (c == '|')
+            safe += "\\|";
+        else if (c == '<')
+            safe += "&lt;";
+        else
+            safe += c;
     }
     return safe;
 }
@@ -27,8 +30,8 @@ void write_markdown(const SubCommand& command) {
     if (command.table.empty()) return;
     std::cout << "| option | accepted | default | meaning |\n|---|---|---|---|\n";
     for (const Option& row : command.table)
-        std::cout << "| `" << spelled(row) << "` | " << cell(row.accepted) << " | " << (row.required ? "required" : cell(row.standard)) << " | "
-                  << (row.method.empty() ? "" : row.method + ": ") << cell(row.help) << " |\n";
+        std::cout << "| `" << spelled(row) << "` | " << cell(row.accepted) << " | " << (row.required ? "required" : cell(row.standard))
+                  << " | " << (row.method.empty() ? "" : row.method + ": ") << cell(row.help) << " |\n";
     std::cout << "\n";
 }
 
@@ -45,10 +48,13 @@ std::string troff(const std::string& text) {
 void write_man(const SubCommand& command) {
     std::cout << ".SH PENCIL " << troff(command.name) << "\n" << troff(command.summary) << ".\n";
     for (const Option& row : command.table) {
-        std::cout << ".TP\n.B " << troff(spelled(row)) << "\n" << (row.method.empty() ? "" : "Method " + row.method + ": ") << troff(row.help) << ".";
+        std::cout << ".TP\n.B " << troff(spelled(row)) << "\n"
+                  << (row.method.empty() ? "" : "Method " + row.method + ": ") << troff(row.help) << ".";
         if (!row.accepted.empty()) std::cout << " Accepted: " << troff(row.accepted) << ".";
-        if (row.required) std::cout << " Required.";
-        else if (!row.standard.empty()) std::cout << " Default: " << troff(row.standard) << ".";
+        if (row.required)
+            std::cout << " Required.";
+        else if (!row.standard.empty())
+            std::cout << " Default: " << troff(row.standard) << ".";
         std::cout << "\n";
     }
 }
@@ -58,7 +64,8 @@ void write_man(const SubCommand& command) {
 ExitCode run_document(const DocumentCommand& command) {
     const bool man = command.format == "man";
     if (man)
-        std::cout << ".TH PENCIL 1 \"\" \"pencil " PENCIL_VERSION "\"\n.SH NAME\npencil \\- global illumination by pencil light transport on any "
+        std::cout << ".TH PENCIL 1 \"\" \"pencil " PENCIL_VERSION
+                     "\"\n.SH NAME\npencil \\- global illumination by pencil light transport on any "
                      "OpenCL device\n.SH SYNOPSIS\n.B pencil\n.I command\n[options]\n";
     for (const SubCommand& sub : sub_commands())
         if (!sub.hidden) (man ? write_man : write_markdown)(sub);

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "pencils/flat_scene.h"
 #include "device/device_scene.h"
 #include "film/film.h"
 #include "options/layer.h"
+#include "pencils/flat_scene.h"
 
 namespace pencil {
 
