@@ -9,7 +9,7 @@
 #include "app/message.h"
 #include "app/units.h"
 #include "options/option_values.h"
-#include "scene/mitsuba/load_scene.h"
+#include "scene/formats/load_scene.h"
 
 namespace pencil {
 namespace {
