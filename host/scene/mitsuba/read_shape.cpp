@@ -19,13 +19,12 @@ void ShapeReader::read(pugi::xml_node node) {
     const std::string ordinal = std::to_string(++ordinals_[shape.kind]);
     shape.id = node.attribute("id") ? std::string(node.attribute("id").value()) : shape.kind + " " + ordinal;
     read_emission(p, shape);
-    shape.bsdf = material_of(p, shape.emits);
-    place(p, mesh, shape);
+    place(p, mesh, shape, material_of(p, shape.emits));
 }
 
-std::uint32_t ShapeReader::add_material(Diffuse material) {
-    scene_.bsdfs.push_back(std::move(material));
-    return static_cast<std::uint32_t>(scene_.bsdfs.size() - 1);
+std::uint32_t ShapeReader::add_material(SceneMaterial material) {
+    scene_.materials.push_back(std::move(material));
+    return static_cast<std::uint32_t>(scene_.materials.size() - 1);
 }
 
 /// The shape's own, or Mitsuba's for shapes that name none: grey, or black if they emit.
@@ -40,7 +39,8 @@ std::uint32_t ShapeReader::material_of(Properties& p, bool emits) {
     }
     if (found) return *found;
     std::int64_t& index = default_material_[emits ? 1 : 0];
-    if (index < 0) index = add_material({emits ? "default (emitter)" : "default", glm::vec3(emits ? 0.0F : 0.5F), false});
+    if (index < 0)
+        index = add_material({emits ? "default (emitter)" : "default", MaterialKind::diffuse, glm::vec3(emits ? 0.0F : 0.5F), false});
     return static_cast<std::uint32_t>(index);
 }
 
@@ -62,13 +62,16 @@ Mesh ShapeReader::read_mesh(Properties& p, const std::string& kind) {
     if (kind != "obj" && kind != "ply") {
         source_.fail(p.node(), p.label() + " is not supported; supported: rectangle, cube, sphere, obj, ply");
     }
-    p.ignore({"flip_tex_coords", "max_smooth_angle", "collapse", "srgb"});
+    p.ignore({"max_smooth_angle", "collapse", "srgb"});
     const std::string name = p.text("filename", "");
     if (!p.has("filename")) p.fail("", "needs a filename");
     const std::string where = source_.where(p.node());
     const std::filesystem::path file = path_inside(source_.file().parent_path(), name, where);
     const std::string bytes = read_regular_file(file, max_mesh_bytes, where);
-    return kind == "obj" ? read_obj(bytes, shown(file)) : read_ply(bytes, shown(file));
+    Mesh mesh = kind == "obj" ? read_obj(bytes, shown(file)) : read_ply(bytes, shown(file));
+    if (p.boolean("flip_tex_coords", kind == "obj"))
+        for (glm::vec2& uv : mesh.uvs) uv.y = 1.0F - uv.y;
+    return mesh;
 }
 
 /// The sphere's own centre and radius come before to_world.
@@ -81,7 +84,7 @@ glm::dmat4 ShapeReader::object_to_world(Properties& p, const std::string& kind) 
     return to_world * glm::dmat4(radius, 0, 0, 0, 0, radius, 0, 0, 0, 0, radius, 0, center.x, center.y, center.z, 1);
 }
 
-void ShapeReader::place(Properties& p, const Mesh& mesh, Shape shape) {
+void ShapeReader::place(Properties& p, const Mesh& mesh, Shape shape, std::uint32_t material) {
     Placement placement;
     placement.to_world = object_to_world(p, shape.kind);
     placement.flip_normals = p.boolean("flip_normals", false);
@@ -89,7 +92,7 @@ void ShapeReader::place(Properties& p, const Mesh& mesh, Shape shape) {
     p.finish();
     shape.first_triangle = static_cast<std::uint32_t>(scene_.triangles.size());
     const auto number = static_cast<std::uint32_t>(scene_.shapes.size());
-    const PlacementCounts counts = place_mesh(mesh, placement, number, source_.where(p.node()), scene_);
+    const PlacementCounts counts = place_mesh(mesh, placement, {number, material}, source_.where(p.node()), scene_);
     shape.triangle_count = static_cast<std::uint32_t>(scene_.triangles.size()) - shape.first_triangle;
     const std::string label = p.label() + " " + in_quotes(shape.id);
     if (counts.dropped > 0) source_.warn(p.node(), label + ": " + std::to_string(counts.dropped) + " triangles of zero area left out");

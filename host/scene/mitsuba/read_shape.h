@@ -21,11 +21,11 @@ public:
 
 private:
     std::uint32_t material_of(Properties& p, bool emits);
-    std::uint32_t add_material(Diffuse material);
+    std::uint32_t add_material(SceneMaterial material);
     void read_emission(Properties& p, Shape& shape);
     Mesh read_mesh(Properties& p, const std::string& kind);
     glm::dmat4 object_to_world(Properties& p, const std::string& kind);
-    void place(Properties& p, const Mesh& mesh, Shape shape);
+    void place(Properties& p, const Mesh& mesh, Shape shape, std::uint32_t material);
 
     XmlSource& source_;
     Scene& scene_;
