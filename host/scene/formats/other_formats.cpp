@@ -5,14 +5,13 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <vector>
 
 #include "scene/text.h"
 #include "scene/xml_head.h"
 
 namespace pencil {
 namespace {
-
-using namespace std::string_view_literals;
 
 bool begins_with(std::string_view text, std::string_view start) { return text.substr(0, start.size()) == start; }
 
@@ -29,9 +28,10 @@ std::string_view first_statement(std::string_view head) {
     return {};
 }
 
-template <std::size_t n>
-bool is_one_of(std::string_view word, const std::string_view (&words)[n]) {
-    return std::find(words, words + n, word) != words + n;
+/// `words` are separated by blanks.
+bool is_one_of(std::string_view word, std::string_view words) {
+    const std::vector<std::string_view> list = tokens(words);
+    return std::find(list.begin(), list.end(), word) != list.end();
 }
 
 float float_at(std::string_view bytes, std::size_t at) {
@@ -66,17 +66,16 @@ bool is_binary_stl(std::string_view head) {
 bool is_ply(std::string_view head) { return begins_with(head, "ply") && (head.size() == 3 || trimmed(head.substr(3, 1)).empty()); }
 
 bool is_obj(std::string_view head) {
-    constexpr std::string_view keywords[] = {"v", "vt", "vn", "vp", "f", "o", "g", "s", "mtllib", "usemtl"};
     const std::string_view line = first_statement(head), word = line.substr(0, line.find_first_of(" \t"));
-    return line.size() > word.size() && is_one_of(word, keywords);
+    return line.size() > word.size() && is_one_of(word, "v vt vn vp f o g s mtllib usemtl");
 }
 
 bool is_stl(std::string_view head) { return (begins_with(head, "solid") && contains(head, "facet")) || is_binary_stl(head); }
 
 bool is_gltf(std::string_view head) {
-    const std::string_view text = trimmed(head);
     if (begins_with(head, "glTF")) return true;
-    constexpr std::string_view keys[] = {"\"asset\"", "\"accessors\"", "\"bufferViews\"", "\"meshes\"", "\"materials\"", "\"nodes\""};
+    const std::string_view text = trimmed(head);
+    constexpr std::string_view keys[] = {"\"asset\"", "\"accessors\"", "\"bufferViews\"", "\"meshes\""};
     return begins_with(text, "{") &&
            std::any_of(std::begin(keys), std::end(keys), [&](std::string_view key) { return contains(text, key); });
 }
@@ -94,32 +93,11 @@ bool is_alembic(std::string_view head) { return begins_with(head, "Ogawa") || be
 bool is_blender(std::string_view head) { return begins_with(head, "BLENDER"); }
 
 bool is_pbrt(std::string_view head) {
-    constexpr std::string_view alone[] = {"WorldBegin", "AttributeBegin", "TransformBegin", "Identity"};
-    constexpr std::string_view with_operand[] = {"Accelerator",
-                                                 "Camera",
-                                                 "ColorSpace",
-                                                 "ConcatTransform",
-                                                 "CoordSysTransform",
-                                                 "Film",
-                                                 "Filter",
-                                                 "Import",
-                                                 "Include",
-                                                 "Integrator",
-                                                 "LookAt",
-                                                 "Option",
-                                                 "Renderer",
-                                                 "PixelFilter",
-                                                 "Rotate",
-                                                 "Sampler",
-                                                 "Scale",
-                                                 "Shape",
-                                                 "SurfaceIntegrator",
-                                                 "Texture",
-                                                 "Transform",
-                                                 "Translate",
-                                                 "VolumeIntegrator",
-                                                 "MakeNamedMaterial",
-                                                 "MakeNamedMedium"};
+    constexpr std::string_view alone = "WorldBegin AttributeBegin TransformBegin Identity";
+    constexpr std::string_view with_operand =
+        "Accelerator Camera ColorSpace ConcatTransform CoordSysTransform Film Filter Import Include Integrator LookAt MakeNamedMaterial "
+        "MakeNamedMedium Option PixelFilter Renderer Rotate Sampler Scale Shape SurfaceIntegrator Texture Transform Translate "
+        "VolumeIntegrator";
     const std::string_view line = first_statement(head), word = line.substr(0, line.find_first_of(" \t\"["));
     const std::string_view operand = trimmed(line.substr(word.size()));
     if (operand.empty() || operand[0] == '#') return is_one_of(word, alone) || (operand.empty() && is_one_of(word, with_operand));

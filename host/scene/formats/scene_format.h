@@ -15,11 +15,13 @@ namespace pencil {
 constexpr std::size_t head_bytes = 4096;
 
 struct SceneFormat {
-    std::string name;                                // as its users call it
-    bool (*recognises)(std::string_view head) = {};  // the first head_bytes of a file, or all of a shorter one
-    Scene (*read)(const std::filesystem::path& file, const LoadOptions& options) = {};  // null: known, but not read
-    std::string advice = {};                                                            // where `read` is null: what to do instead
-    std::string extension = {};  // where `read` is given: of files whose content nothing recognises, so that the reader says what is wrong
+    std::string name;  // as its users call it
+    /// `head`: the first head_bytes of a file, or all of a shorter one. Any bytes.
+    bool (*recognises)(std::string_view head) = nullptr;
+    /// Null for a format that is known, but not read.
+    Scene (*read)(const std::filesystem::path& file, const LoadOptions& options) = nullptr;
+    std::string advice = {};     // what to do instead, where `read` is null
+    std::string extension = {};  // files of this name go to `read` even if nothing recognises them: it says what is wrong
 };
 
 /// All formats. The first that recognises a file is the one.

@@ -7,11 +7,11 @@
 namespace pencil {
 namespace {
 
-const std::string mesh_alone = "a mesh alone has no camera and no light; ";
-const std::string by_blender = "it cannot be read; open it in Blender and export it as Mitsuba XML, with the add-on mitsuba-blender";
-const std::string no_image = "an image is no scene; \"pencil compare\" takes images";
+constexpr const char* mesh_alone = "a mesh alone has no camera and no light; ";
+constexpr const char* by_blender = "it cannot be read; open it in Blender and export it as Mitsuba XML, with the add-on mitsuba-blender";
+constexpr const char* no_image = "an image is no scene; \"pencil compare\" takes images";
 
-std::string name_it(const std::string& type) { return mesh_alone + "name it in a scene: <shape type=\"" + type + "\">"; }
+std::string name_it(const std::string& type) { return std::string(mesh_alone) + "name it in a scene: <shape type=\"" + type + "\">"; }
 
 }  // namespace
 
@@ -19,7 +19,6 @@ const std::vector<SceneFormat>& scene_formats() {
     static const std::vector<SceneFormat> formats = {
         {"PLY", is_ply, nullptr, name_it("ply")},
         {"OBJ", is_obj, nullptr, name_it("obj")},
-        {"STL", is_stl, nullptr, mesh_alone + "convert it to PLY and name that in a scene: <shape type=\"ply\">"},
         {"glTF", is_gltf, nullptr, by_blender},
         {"USD", is_usd, nullptr, by_blender},
         {"FBX", is_fbx, nullptr, by_blender},
@@ -30,6 +29,7 @@ const std::vector<SceneFormat>& scene_formats() {
         {"PNG", is_png, nullptr, no_image},
         {"OpenEXR", is_exr, nullptr, no_image},
         {"Radiance HDR", is_hdr, nullptr, no_image},
+        {"STL", is_stl, nullptr, std::string(mesh_alone) + "convert it to PLY and name that in a scene: <shape type=\"ply\">"},
         {"Mitsuba XML", is_xml, read_mitsuba, {}, ".xml"},  // last: any XML that is nothing else
     };
     return formats;
