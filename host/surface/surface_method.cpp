@@ -68,7 +68,7 @@ SurfacePass surface_pass(int index, const RenderOptions& options, const Camera& 
 }
 
 /// The world set of the passes from this one on, from what its frame shows.
-void SurfaceMethod::solve_world(const SurfacePass& pass, const Frame& frame) {
+void SurfaceMethod::solve_world(const SurfacePass& pass, const Frame& frame, const FilmPixels& pixels) {
     const auto& device = context_.kernels.device();
     const std::uint64_t seed = hash64(hash64(context_.options.seed) + static_cast<std::uint64_t>(pass.world_set) + 1);
     const std::vector<LightSample> samples = sample_lights(context_.scene, context_.flat, context_.forms, pass.texel_light_samples, seed);
@@ -80,7 +80,7 @@ void SurfaceMethod::solve_world(const SurfacePass& pass, const Frame& frame) {
     solver_ = std::make_unique<SurfaceSolver>(context_.kernels, context_.device_scene, context_.flat, std::move(lights), pass.world,
                                               context_.clock, static_cast<uint>(seed >> 32));
     const int spacing = seed_spacing * coarsest_spacing(context_.flat.camera);
-    solver_->solve(seed_pencils(context_.kernels, frame.film(), spacing, film_map), context_.options.bounces, context_.options.tolerance);
+    solver_->solve(seed_pencils(context_.kernels, pixels, spacing, film_map), context_.options.bounces, context_.options.tolerance);
     context_.stats.world_pencils += static_cast<std::uint64_t>(solver_->world().count);
     context_.stats.residual = solver_->residual();
 }
@@ -88,9 +88,10 @@ void SurfaceMethod::solve_world(const SurfacePass& pass, const Frame& frame) {
 void SurfaceMethod::add_bounces(const SurfacePass& pass, const Turn& turn, Frame& frame) {
     if (!context_.wanted(1) || context_.clock.stopped()) return;
     if (frame.film().surfels().count == 0) return frame.finish_bounce(FilmLayers::indirect, 0, 0);  // passes have the same layers
-    if (pass.world_set != world_set_) solve_world(pass, frame);
+    const FilmPixels pixels(frame.film());
+    if (pass.world_set != world_set_) solve_world(pass, frame, pixels);
     if (context_.clock.stopped()) return;
-    FilmPencils film(context_.kernels, frame.film(), pass.lattice);
+    FilmPencils film(context_.kernels, pixels, pass.lattice);
     const TexelPoints points{static_cast<uint>(turn.seed >> 32), static_cast<uint>(turn.index)};
     context_.clock.run("film pencils", [&] { film.refine(*solver_, points); });
     context_.stats.film_pencils += static_cast<std::uint64_t>(film.count());

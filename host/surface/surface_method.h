@@ -2,8 +2,8 @@
 // is the mean of passes, which grow finer: noise and interpolation error both fall with time.
 #pragma once
 
-#include "surface/film_pencils.h"
 #include "film/frame.h"
+#include "surface/film_pencils.h"
 #include "surface/surface_solver.h"
 
 namespace pencil {
@@ -33,7 +33,7 @@ public:
     void add_bounces(const SurfacePass& pass, const Turn& turn, Frame& frame);
 
 private:
-    void solve_world(const SurfacePass& pass, const Frame& frame);
+    void solve_world(const SurfacePass& pass, const Frame& frame, const FilmPixels& pixels);
 
     RenderContext& context_;
     int world_set_ = -1;  // of the solver

@@ -33,8 +33,7 @@ void for_cells(const PencilGrid& grid, const SurfacePencil& pencil, Visit visit)
 
 }  // namespace
 
-DeviceGrid::DeviceGrid(const std::shared_ptr<Device>& device, const SurfacePencils& set, const FlatScene& flat) {
-    const std::vector<SurfacePencil> pencils = set.data.read(0, static_cast<std::size_t>(set.count));
+DeviceGrid::DeviceGrid(const std::shared_ptr<Device>& device, const std::vector<SurfacePencil>& pencils, const FlatScene& flat) {
     const glm::vec3 extent(flat.high - flat.low);
     float size = std::max({extent.x, extent.y, extent.z}) / static_cast<float>(most_cells);
     for (const SurfacePencil& p : pencils) size = std::max(size, 0.5F * p.normal.w);
@@ -66,12 +65,16 @@ DeviceGrid::DeviceGrid(const std::shared_ptr<Device>& device, const SurfacePenci
 void SurfacePencils::reserve(const std::shared_ptr<Device>& device, std::size_t more) {
     const std::size_t needed = static_cast<std::size_t>(count) + more;
     if (needed <= data.size()) return;
-    Buffer<SurfacePencil> larger(device, std::max(needed, 2 * data.size()), "surface pencils");
-    if (count > 0) larger.copy_from(data, 0, 0, static_cast<std::size_t>(count));
-    data = std::move(larger);
+    SurfacePencils larger(device, static_cast<int>(std::max(needed, 2 * data.size())), n);
+    if (count > 0) {
+        larger.data.copy_from(data, 0, 0, static_cast<std::size_t>(count));
+        larger.irradiance.copy_from(irradiance, 0, 0, static_cast<std::size_t>(count));
+    }
+    data = std::move(larger.data);
+    irradiance = std::move(larger.irradiance);
 }
 
-void place_surface_pencils(Kernels& kernels, const Surfels& surfels, const ChosenSurfels& chosen, SurfacePencils& pencils, float spacing) {
+void place_surface_pencils(Kernels& kernels, const Surfels& surfels, const ChosenSurfels& chosen, SurfacePencils& pencils, int spacing) {
     const std::size_t count = chosen.surfels.size();
     if (count == 0) return;
     pencils.reserve(kernels.device(), count);
@@ -107,10 +110,10 @@ void emit_hemispheres(Kernels& kernels, const DeviceScene& scene, const Surfels&
         .run(static_cast<std::size_t>(surfels.count), "emission");
 }
 
-void sum_hemispheres(Kernels& kernels, const Buffer<float>& radiance, int capacity, int first_surfel, int first, int count,
-                     SurfacePencils& pencils) {
+void sum_hemispheres(Kernels& kernels, const Buffer<float>& radiance, int capacity, int first_surfel, int first, int count, int n,
+                     Buffer<float4>& irradiance) {
     kernels.get("sum_hemispheres")
-        .args(radiance, capacity, first_surfel, first, count, pencils.n, pencils.data)
+        .args(radiance, capacity, first_surfel, first, count, n, irradiance)
         .run(static_cast<std::size_t>(count), "sum hemispheres", 8);
 }
 
@@ -128,7 +131,8 @@ SurfaceLinks link_surfels(Kernels& kernels, const Surfels& surfels, const Surfac
 void project_surface_pencils(Kernels& kernels, const Surfels& surfels, const SurfacePencils& pencils, const DeviceGrid& grid,
                              Buffer<float>& outgoing) {
     kernels.get("project_surface_pencils")
-        .args(surfels.data, surfels.capacity, surfels.count, pencils.data, grid.grid, grid.starts, grid.entries, outgoing)
+        .args(surfels.data, surfels.capacity, surfels.count, pencils.data, pencils.irradiance, grid.grid, grid.starts, grid.entries,
+              outgoing)
         .run(static_cast<std::size_t>(surfels.count), "project surface pencils");
 }
 

@@ -1,19 +1,21 @@
 // Pencils on surfaces, in device memory, with the kernels that place, trace and sum them.
 #pragma once
 
-#include "shared/surface_pencil.h"
 #include "device/device_scene.h"
 #include "device/features.h"
 #include "device/pencil_set.h"
 #include "device/surfels.h"
+#include "shared/surface_pencil.h"
 
 namespace pencil {
 
-/// Pencils and room for more; maps are not kept, only their sums.
+/// Pencils with their irradiance, and room for more; maps are not kept, only their sums.
 struct SurfacePencils {
     SurfacePencils() = default;
     SurfacePencils(const std::shared_ptr<Device>& device, int room, int map_size)
-        : n(map_size), data(device, static_cast<std::size_t>(room), "surface pencils") {}
+        : n(map_size),
+          data(device, static_cast<std::size_t>(room), "surface pencils"),
+          irradiance(device, static_cast<std::size_t>(room), "irradiance of surface pencils") {}
     /// Makes room for `more` pencils behind the present ones.
     void reserve(const std::shared_ptr<Device>& device, std::size_t more);
     int texels() const { return n * n; }
@@ -21,12 +23,13 @@ struct SurfacePencils {
     int count = 0;
     int n = 0;  // width of the hemispherical map, a multiple of 4 [texels]
     Buffer<SurfacePencil> data;
+    Buffer<float4> irradiance;  // rgb [W m^-2], of pencils that were summed
 };
 
 /// The pencils of a set sorted into cells.
 struct DeviceGrid {
     DeviceGrid() = default;
-    DeviceGrid(const std::shared_ptr<Device>& device, const SurfacePencils& pencils, const FlatScene& flat);
+    DeviceGrid(const std::shared_ptr<Device>& device, const std::vector<SurfacePencil>& pencils, const FlatScene& flat);
     PencilGrid grid{};
     Buffer<int> starts;  // blocks of each cell
     Buffer<float> entries;
@@ -45,9 +48,8 @@ struct ChosenSurfels {
     std::vector<float4> views;  // xyz: viewer; w: radius
 };
 
-/// Appends pencils; `spacing` of film pencils [pixels].
-void place_surface_pencils(Kernels& kernels, const Surfels& surfels, const ChosenSurfels& chosen, SurfacePencils& pencils,
-                           float spacing = 0);
+/// Appends pencils; `spacing`: of the lattice of film pencils that they join [pixels].
+void place_surface_pencils(Kernels& kernels, const Surfels& surfels, const ChosenSurfels& chosen, SurfacePencils& pencils, int spacing = 0);
 
 /// Which points of their texels pencils see.
 struct TexelPoints {
@@ -66,9 +68,9 @@ void measure_hemispheres(Kernels& kernels, const Surfels& surfels, int first_sur
 void emit_hemispheres(Kernels& kernels, const DeviceScene& scene, const Surfels& surfels, const SurfacePencils& pencils, int first,
                       const Buffer<float>& near_area, Buffer<float>& radiance);
 
-/// Irradiance of pencils first .. first + count from what their texels send.
-void sum_hemispheres(Kernels& kernels, const Buffer<float>& radiance, int capacity, int first_surfel, int first, int count,
-                     SurfacePencils& pencils);
+/// irradiance[first .. first + count] of pencils of n x n texels from what these send.
+void sum_hemispheres(Kernels& kernels, const Buffer<float>& radiance, int capacity, int first_surfel, int first, int count, int n,
+                     Buffer<float4>& irradiance);
 
 /// The pencils near each surfel and their weights.
 struct SurfaceLinks {

@@ -1,8 +1,8 @@
 // Light of surface pencils: the world set's irradiance after all bounces, and what film pencils gather from it.
 #pragma once
 
-#include "render/render.h"
 #include "device/stage_clock.h"
+#include "render/render.h"
 #include "surface/world_set.h"
 
 namespace pencil {
@@ -36,7 +36,8 @@ public:
     double residual() const { return residual_; }
 
 private:
-    std::vector<float4> irradiance(bool emission, bool direct);
+    void sum_light(bool emission, bool direct, Buffer<float4>& irradiance);
+    void transport(const Buffer<float4>& source, Buffer<float4>& target);
     void light(const Surfels& surfels, Buffer<float>& outgoing, uint seed);
     void iterate(int orders, double tolerance);
     void reserve(int texels);

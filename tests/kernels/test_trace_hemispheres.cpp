@@ -130,8 +130,8 @@ TEST(SumHemispheres, UniformRadianceIsPi) {
     const std::vector<SurfacePencil> placed = random_pencils(11, 5);
     Traced t = trace(kernels, scene, placed, 8);
     const Buffer<float> radiance(device(), std::vector<float>(3 * static_cast<std::size_t>(t.surfels.capacity), 2.0F), "radiance");
-    sum_hemispheres(kernels, radiance, t.surfels.capacity, 0, 0, t.pencils.count, t.pencils);
-    for (const SurfacePencil& p : t.pencils.data.read()) EXPECT_NEAR(p.irradiance.x, 2.0 * ref::pi, 1e-4);
+    sum_hemispheres(kernels, radiance, t.surfels.capacity, 0, 0, t.pencils.count, t.pencils.n, t.pencils.irradiance);
+    for (const float4& e : t.pencils.irradiance.read()) EXPECT_NEAR(e.x, 2.0 * ref::pi, 1e-4);
 }
 
 TEST(MeasureHemispheres, HarmonicMeanOfDistances) {
