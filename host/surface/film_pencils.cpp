@@ -2,6 +2,11 @@
 
 #include <algorithm>
 
+#include "surface/cover_film.h"
+#include "surface/place_surface_pencils.h"
+#include "surface/project_film_pencils.h"
+#include "surface/smooth_irradiance.h"
+
 namespace pencil {
 
 namespace {
@@ -11,6 +16,8 @@ constexpr int single_map = 4;
 /// A level of the lattice that would have more points than this share of the pixels is left to single pencils: where so little reaches so
 /// little, neighbours do not help each other.
 constexpr double most_new = 0.2;
+/// Pencils fade out at so many times the error up to which one covers a surfel: no edge shows where a surfel leaves the reach of one.
+constexpr float fade_errors = 2;
 
 }  // namespace
 
@@ -76,10 +83,7 @@ std::vector<unsigned char> FilmPencils::uncovered(int spacing) {
     if (uncovered_.empty())
         uncovered_ = Buffer<unsigned char>(kernels_.device(), std::vector<unsigned char>(static_cast<std::size_t>(surfels.capacity), 1),
                                            "uncovered surfels");
-    kernels_.get("cover_film")
-        .args(surfels.data, surfels.capacity, film_.counts(), film_.first_surfel(), pencils_.data, pencil_at_, lattice_.coarsest, spacing,
-              lattice_.most_error, film_.width(), film_.height(), uncovered_)
-        .run(at_.size(), "cover film");
+    cover_film(kernels_, film_surfels(), lattice(spacing), lattice_.most_error, uncovered_);
     return uncovered_.read(0, static_cast<std::size_t>(surfels.count));
 }
 
@@ -140,15 +144,10 @@ void FilmPencils::place_singles(const std::vector<unsigned char>& uncovered) {
 }
 
 void FilmPencils::project(Buffer<float>& outgoing) {
-    const Surfels& surfels = film_.surfels();
     Buffer<float4> fits(kernels_.device(), 3 * static_cast<std::size_t>(pencils_.count), "irradiance of film pencils");
-    kernels_.get("smooth_irradiance")
-        .args(pencils_.data, pencils_.irradiance, pencil_at_, lattice_.smooth, film_.width(), film_.height(), fits)
-        .run(at_.size(), "smooth irradiance");
-    kernels_.get("project_film_pencils")
-        .args(surfels.data, surfels.capacity, film_.counts(), film_.first_surfel(), pencils_.data, fits, pencil_at_, lattice_.coarsest,
-              finest_, 2.0F * lattice_.most_error, singles_.irradiance, single_at_, film_.width(), film_.height(), outgoing)
-        .run(at_.size(), "project film pencils");
+    smooth_irradiance(kernels_, lattice(finest_), lattice_.smooth, film_.width(), film_.height(), fits);
+    project_film_pencils(kernels_, film_surfels(), lattice(finest_), fits, fade_errors * lattice_.most_error, {singles_, single_at_},
+                         outgoing);
 }
 
 }  // namespace pencil

@@ -3,6 +3,7 @@
 
 #include "film/film.h"
 #include "shared/film.h"
+#include "surface/film_lattice.h"
 #include "surface/surface_solver.h"
 
 namespace pencil {
@@ -45,6 +46,8 @@ public:
 
 private:
     void place(const std::vector<int>& pixels, int spacing);
+    FilmSurfels film_surfels() const { return {film_.surfels(), film_.counts(), film_.first_surfel(), film_.width(), film_.height()}; }
+    PencilLattice lattice(int finest) const { return {pencils_, pencil_at_, lattice_.coarsest, finest}; }
     std::vector<unsigned char> uncovered(int spacing);
     std::vector<int> finer_pixels(const std::vector<unsigned char>& uncovered, int spacing) const;
     void place_singles(const std::vector<unsigned char>& uncovered);

@@ -1,6 +1,9 @@
 // What the texels of surface pencils see, on the host: read from the device once, however often it is looked at.
 #pragma once
 
+#include <glm/vec3.hpp>
+
+#include "device/surfels.h"
 #include "surface/surface_pencils.h"
 
 namespace pencil {

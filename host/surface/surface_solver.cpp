@@ -4,16 +4,25 @@
 #include <glm/gtx/component_wise.hpp>
 
 #include "film/bounce_series.h"
-#include "film/light_surfels.h"
 #include "pencils/low_discrepancy.h"
+#include "surface/close_series.h"
+#include "surface/emit_hemispheres.h"
+#include "surface/measure_hemispheres.h"
+#include "surface/project_surface_pencils.h"
+#include "surface/sample_lights.h"
+#include "surface/sum_hemispheres.h"
+#include "surface/transport_irradiance.h"
 
 namespace pencil {
 
 namespace {
 
-/// Texels that are worked on at once: bounds memory and the length of a launch.
+/// Texels that are worked on at once: bounds memory (18 MB) and the length of a launch.
 constexpr int chunk_surfels = 1 << 18;
+/// Bounces of the world set at most. The tail closes what is left of them.
 constexpr int most_iterations = 512;
+/// Bounces from which on the series is geometric enough to stop: light of the samples joins in the first, and ratios need two more.
+constexpr int least_iterations = 3;
 /// Light samples that a packet of texels chooses from.
 constexpr int most_candidates = 24;
 /// The world's bounces stop at this share of the tolerance of the image.
@@ -83,15 +92,6 @@ void SurfaceSolver::sum_light(bool emission, bool direct, Buffer<float4>& irradi
     sum_hemispheres(kernels_, outgoing, world_.surfels().capacity, 0, 0, pencils.count, pencils.n, irradiance);
 }
 
-/// One bounce: adds to target, and what target then holds to the world's irradiance.
-void SurfaceSolver::transport(const Buffer<float4>& source, Buffer<float4>& target) {
-    SurfacePencils& pencils = world_.pencils();
-    kernels_.get("transport_irradiance")
-        .args(world_.surfels().data, world_.surfels().capacity, world_.links().pencils, world_.links().weights, pencils.count, pencils.n,
-              source, target, pencils.irradiance)
-        .run(static_cast<std::size_t>(pencils.count), "transport irradiance", 8);
-}
-
 /// Step k is irradiance that the film's pencils reflect as order k + 2: it starts with emission, and reflected light of the
 /// light samples joins in step 1. The world's irradiance grows to the sum of all steps.
 void SurfaceSolver::iterate(int orders, double tolerance) {
@@ -106,16 +106,16 @@ void SurfaceSolver::iterate(int orders, double tolerance) {
     for (int k = 1; k < most_iterations && (orders < 0 || k + 2 <= orders); ++k) {
         target.fill_zero();
         if (k == 1 && lights_.samples.maps.count > 0) sum_light(false, true, target);
-        transport(source, target);
+        transport_irradiance(kernels_, world_.surfels(), world_.links(), world.count, world.n, source, target, world.irradiance);
         std::swap(source, target);
         // The series begins where all light has joined it.
         if (k == 1) series = {};
         series.add(power(source));
-        if (orders < 0 && k >= 3 && series.last_share() <= tolerance * tolerance_share) break;
+        if (orders < 0 && k >= least_iterations && series.last_share() <= tolerance * tolerance_share) break;
     }
     const glm::vec3 tail = orders < 0 ? glm::vec3(series.tail_factor()) : glm::vec3(0);
     residual_ = glm::compMax(glm::dvec3(tail)) * series.last_share();
-    if (orders < 0) kernels_.get("close_series").args(source, float4(tail, 0), world.count, world.irradiance).run(count, "close series");
+    if (orders < 0) close_series(kernels_, source, tail, world.count, world.irradiance);
 }
 
 }  // namespace pencil

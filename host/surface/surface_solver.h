@@ -1,6 +1,7 @@
 // Light of surface pencils: the world set's irradiance after all bounces, and what film pencils gather from it.
 #pragma once
 
+#include "device/pencil_set.h"
 #include "device/stage_clock.h"
 #include "render/render.h"
 #include "surface/world_set.h"
@@ -37,7 +38,6 @@ public:
 
 private:
     void sum_light(bool emission, bool direct, Buffer<float4>& irradiance);
-    void transport(const Buffer<float4>& source, Buffer<float4>& target);
     void light(const Surfels& surfels, Buffer<float>& outgoing, uint seed);
     void iterate(int orders, double tolerance);
     void reserve(int texels);

@@ -3,7 +3,10 @@
 #pragma once
 
 #include "pencils/thin_points.h"
+#include "surface/link_surfels.h"
+#include "surface/place_surface_pencils.h"
 #include "surface/seen_points.h"
+#include "surface/trace_hemispheres.h"
 
 namespace pencil {
 

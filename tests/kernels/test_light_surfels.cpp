@@ -6,6 +6,7 @@
 #include "reference/tolerances.h"
 #include "reference/transport_ref.h"
 #include "film/light_surfels.h"
+#include "surface/sample_lights.h"
 #include "line/test_visibility.h"
 
 namespace {

@@ -3,7 +3,10 @@
 #include <glm/common.hpp>
 
 #include "kernel_test.h"
-#include "surface/surface_pencils.h"
+#include "surface/measure_hemispheres.h"
+#include "surface/place_surface_pencils.h"
+#include "surface/sum_hemispheres.h"
+#include "surface/trace_hemispheres.h"
 
 namespace {
 
