@@ -1,5 +1,5 @@
-// Surface pencils in double precision: their frame and map, what they know of the geometry about them, and where their irradiance may
-// stand for that of a near point (Ward, Rubinstein and Clear 1988; docs/overview.md, "The surface method").
+// Surface pencils in double precision: their frame, and where their irradiance may stand for that of a near point (Ward, Rubinstein and
+// Clear 1988; docs/overview.md, "The surface method").
 #pragma once
 
 #include <algorithm>
@@ -28,25 +28,6 @@ struct TangentFrame {
     }
     dvec3 t, b;
 };
-
-
-/// Texel of entry i of a hemisphere of n x n texels: through blocks of 4 x 4 row by row, in a block row by row.
-inline Texel hemisphere_texel(int i, int n) {
-    const int blocks_across = n / 4, block = i / 16, within = i % 16;
-    return {block % blocks_across * 4 + within % 4, block / blocks_across * 4 + within / 4};
-}
-
-/// The point of the square [-1, 1]^2 that the concentric map (Shirley and Chiu 1997) takes to (x, y) of the unit disc.
-inline dvec2 disc_to_square(double x, double y) {
-    const double radius = std::hypot(x, y);
-    if (radius == 0.0) return {0, 0};
-    double angle = std::atan2(y, x);
-    if (angle < -pi / 4) angle += 2 * pi;
-    if (angle < pi / 4) return {radius, angle * radius * 4 / pi};
-    if (angle < 3 * pi / 4) return {-(angle - pi / 2) * radius * 4 / pi, radius};
-    if (angle < 5 * pi / 4) return {-radius, -(angle - pi) * radius * 4 / pi};
-    return {(angle - 3 * pi / 2) * radius * 4 / pi, -radius};
-}
 
 /// Number of the eighth of azimuth of (x, y): bit 2: x < 0, bit 1: y < 0, bit 0: nearer to the y axis. Eighths counted from the x axis.
 inline int ring_sector(double x, double y) {
