@@ -2,8 +2,8 @@
 # Says whether two programs make the same images, bit for bit in every layer: for changes that must not change any. Renders every scene
 # with both methods at two sizes, by work that no clock decides. Exit status 1 if any image differs.
 #   scripts/same_images.sh [--quick] [--except LAYERS] OLD NEW
-# OLD, NEW: two `pencil` programs; --quick: one size, less work; --except: layers that may differ or be absent, "error,tail" ("beauty" is
-# the image itself).
+# OLD, NEW: two `pencil` programs; --quick: one size, less work; --except: layers that may differ or be absent, "error,tail"; "beauty" is
+# the image itself, "tail" and "bounce" are those of any order.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
@@ -36,7 +36,8 @@ trap 'rm -rf "$work"' EXIT
 kept_channels() {
     oiiotool --info -v "$1" | sed -n 's/^ *channel list: //p' | tr -d ' ' | tr ',' '\n' | awk -v except="$except" '
         BEGIN { n = split(except, names, ","); for (i = 1; i <= n; ++i) left_out[names[i]] = 1 }
-        { layer = $0; if (!sub(/\.[^.]*$/, "", layer)) layer = "beauty"; if (!(layer in left_out)) print }'
+        { layer = $0; if (!sub(/\.[^.]*$/, "", layer)) layer = "beauty"
+          kind = layer; sub(/[0-9]+$/, "", kind); if (!(layer in left_out) && !(kind in left_out)) print }'
 }
 
 layers_of() { sed 's/^[^.]*$/beauty/; s/\.[^.]*$//' | sort -u; }
@@ -53,15 +54,17 @@ content() {
 differences() {
     "${programs[1]}" compare --json "$work/new.exr" "$work/old.exr" 2>/dev/null | python3 -c '
 import json, sys
-result, left_out = json.load(sys.stdin), sys.argv[1].split(",")
+result, named = json.load(sys.stdin), sys.argv[1].split(",")
+def left_out(name):
+    return name in named or name.rstrip("0123456789") in named
 def same(layer):
     return layer["rmse"] == 0 and layer["excluded_pixels"] == 0
 def text(layer):
     holes = f""", {layer["excluded_pixels"]} pixels not finite""" if layer["excluded_pixels"] else ""
     return f"""{layer["name"]} (RMSE {layer["rmse"] or 0:.2g}{holes})"""
-found = [text(layer) for layer in result["layers"] if layer["name"] not in left_out and not same(layer)]
+found = [text(layer) for layer in result["layers"] if not left_out(layer["name"]) and not same(layer)]
 for program, key in (("new", "only_in_image"), ("old", "only_in_reference")):
-    found += [f"{name} (only {program})" for name in result[key] if name not in left_out]
+    found += [f"{name} (only {program})" for name in result[key] if not left_out(name)]
 print(f"""{len(found)} layers: {", ".join(found)}""" if found else "in bits that change no value: signs of zeros, kinds of NaN")' "$except"
 }
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "pencils/flat_scene.h"
 #include "device/device_scene.h"
 #include "film/film.h"
+#include "pencils/flat_scene.h"
 #include "render/render.h"
 
 namespace pencil {
@@ -25,7 +25,8 @@ public:
     /// Reflection `order`: 1 is direct light ("direct"), 2 is "bounce2" and so on; indirect is all of them together ("indirect").
     static constexpr int indirect = -1;
     void add_bounce(int order, std::vector<float> pixels);
-    /// Adds the last bounce times `factor` as the rest of the series ("tail"). Returns its mean relative to the image's.
+    /// Adds the last bounce times `factor` as the rest of the series (`tail_name` of the next order). Returns its mean relative to the
+    /// image's.
     double close_series(const glm::dvec3& factor);
     /// Beauty first, then the wanted layers in a fixed order.
     std::vector<Layer> take(int width, int height);
@@ -36,6 +37,7 @@ private:
 
     std::set<std::string> aovs_;
     std::vector<float> beauty_, last_bounce_;
+    int last_order_ = 0;
     std::vector<Layer> light_, surface_;
 };
 
