@@ -7,11 +7,10 @@
 #include <vector>
 
 #include "compare/lab.h"
+#include "image/relative_error.h"
 
 namespace pencil {
 namespace {
-
-constexpr double mean_share = 0.01;  // keeps dark pixels from deciding relMSE
 
 bool is_finite(const PixelPair& pair, std::size_t pixel) {
     const std::size_t first = pixel * static_cast<std::size_t>(pair.channels);
@@ -61,8 +60,6 @@ double lab_rms(const PixelPair& pair, const std::vector<std::size_t>& pixels, do
 }
 
 }  // namespace
-
-double relative_square(double x, double r, double mean) { return (x - r) * (x - r) / (r * r + mean_share * mean * mean); }
 
 Metrics measure(const PixelPair& pair, const std::optional<double>& exposure) {
     const std::vector<std::size_t> pixels = finite_pixels(pair);

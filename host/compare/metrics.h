@@ -20,7 +20,7 @@ struct Metrics {
     std::uint64_t pixels = 0;    // averaged
     std::uint64_t excluded = 0;  // because a channel of x or r is not finite
     double rmse = 0;             // sqrt(mean (x - r)^2)
-    double rel_mse = 0;          // mean((x - r)^2 / (r^2 + 0.01 m^2)), m = mean(r) over all pixels and channels
+    double rel_mse = 0;          // mean((x - r)^2 / (r^2 + 0.01 m^2)), m = mean(r) over pixels and channels, see relative_error.h
     double mean_ratio = 0;       // mean(x) / mean(r)
     double psnr = 0;             // -20 log10(rmse) [dB]: the peak is 1, display white; infinite for equal images
     double image_mean = 0, reference_mean = 0;
@@ -33,8 +33,5 @@ Metrics measure(const PixelPair& pair, const std::optional<double>& exposure = {
 /// Why values are undefined: no pixel is left to average, or those relative to the reference would be divided by its mean 0. Empty if all
 /// are defined.
 std::string undefined_reason(const Metrics& metrics);
-
-/// The part of `rel_mse` that one value adds, before averaging; `mean` is m.
-double relative_square(double x, double r, double mean);
 
 }  // namespace pencil
