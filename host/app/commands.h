@@ -1,10 +1,73 @@
-// The sub-commands. Each throws pencil::Error for what ends it and returns the exit code otherwise.
+// The sub-commands: what each was asked to do, and what does it. Each run_ throws pencil::Error for what ends it and returns the exit code
+// otherwise.
 #pragma once
 
-#include "app/options.h"
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "converge/methods.h"
+#include "options/layer.h"
+#include "options/reference_options.h"
+#include "options/render_options.h"
 #include "util/error.h"
 
 namespace pencil {
+
+using SceneDefines = std::map<std::string, std::string>;
+
+struct RenderCommand {
+    std::filesystem::path scene;
+    SceneDefines defines;
+    std::vector<std::filesystem::path> outputs;
+    RenderOptions options;
+    std::string device;
+    std::filesystem::path stats;  // empty: none
+    bool explain = false, quiet = false;
+};
+
+struct ReferenceCommand {
+    std::filesystem::path scene;
+    SceneDefines defines;
+    std::vector<std::filesystem::path> outputs;
+    std::vector<std::string> aovs = layer_groups();  // not variance: samples that give it are stratified less
+    ReferenceOptions options;                        // all but the wanted layers
+    std::filesystem::path stats;                     // empty: none
+    bool quiet = false;
+};
+
+struct InfoCommand {
+    std::filesystem::path scene;
+    SceneDefines defines;
+};
+
+struct CompareCommand {
+    std::filesystem::path image, reference;
+    std::filesystem::path difference;  // empty: none
+    bool json = false;
+};
+
+struct ConvergeCommand {
+    std::filesystem::path scene;
+    SceneDefines defines;
+    std::filesystem::path reference;  // empty: made by the path tracer
+    std::filesystem::path folder;
+    std::vector<std::string> methods = method_names();
+    int seeds = 3;
+    double longest = 10;        // [s] where budgets stop growing
+    int width = 0, height = 0;  // 0: the reference's size, or the scene's shape
+    std::string device;
+    bool quiet = false;
+};
+
+struct DevicesCommand {
+    bool self_test = false;
+};
+
+struct DocumentCommand {
+    std::string format;  // markdown, man
+};
 
 ExitCode run_render(const RenderCommand& command);
 ExitCode run_reference(const ReferenceCommand& command);
@@ -12,5 +75,6 @@ ExitCode run_info(const InfoCommand& command);
 ExitCode run_compare(const CompareCommand& command);
 ExitCode run_converge(const ConvergeCommand& command);
 ExitCode run_devices(const DevicesCommand& command);
+ExitCode run_document(const DocumentCommand& command);
 
 }  // namespace pencil

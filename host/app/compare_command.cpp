@@ -10,7 +10,7 @@
 
 #include "app/commands.h"
 #include "app/message.h"
-#include "app/option_values.h"
+#include "options/option_values.h"
 #include "app/units.h"
 #include "compare/compare_images.h"
 #include "compare/difference_image.h"

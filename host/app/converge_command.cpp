@@ -5,9 +5,10 @@
 #include "app/commands.h"
 #include "app/interrupt.h"
 #include "app/message.h"
-#include "app/option_values.h"
+#include "options/option_values.h"
+#include "render/render_session.h"
 #include "converge/converge.h"
-#include "scene/load_scene.h"
+#include "scene/mitsuba/load_scene.h"
 #include "image/read_image.h"
 #include "util/error.h"
 #include "util/log.h"
@@ -39,7 +40,7 @@ std::string command_text(const ConvergeCommand& command, const ConvergeOptions& 
     const auto add = [&text](const std::string& option, const std::string& value) {
         text.append(" ").append(option).append(" ").append(value);
     };
-    if (command.methods != all_method_names()) {
+    if (command.methods != method_names()) {
         std::string names = join(command.methods);
         names.erase(std::remove(names.begin(), names.end(), ' '), names.end());
         add("--methods", names.empty() ? "none" : names);
@@ -61,7 +62,7 @@ ConvergeOptions converge_options(const ConvergeCommand& command, const Scene& sc
     options.seeds = command.seeds;
     options.longest = command.longest;
     std::tie(options.width, options.height) = image_size(command, scene);
-    options.bounces = reflections({}, scene);
+    options.bounces = resolve({}, scene).bounces;
     options.version = PENCIL_VERSION;
     options.command = command_text(command, options);
     return options;

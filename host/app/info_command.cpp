@@ -7,9 +7,9 @@
 
 #include "app/commands.h"
 #include "app/message.h"
-#include "app/option_values.h"
+#include "options/option_values.h"
 #include "app/units.h"
-#include "scene/load_scene.h"
+#include "scene/mitsuba/load_scene.h"
 
 namespace pencil {
 namespace {

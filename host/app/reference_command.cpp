@@ -8,7 +8,7 @@
 #include "app/message.h"
 #include "app/outputs.h"
 #include "app/reference_report.h"
-#include "scene/load_scene.h"
+#include "scene/mitsuba/load_scene.h"
 #include "scene/scene_fingerprint.h"
 #include "util/log.h"
 #include "util/progress.h"
@@ -16,10 +16,6 @@
 
 namespace pencil {
 namespace {
-
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 void add_warnings(ReferenceReport& report, const std::vector<std::string>& warnings) {
     for (const std::string& warning : warnings) {
@@ -30,13 +26,13 @@ void add_warnings(ReferenceReport& report, const std::vector<std::string>& warni
 
 ReferenceOptions options_for(const ReferenceCommand& command, const Scene& scene) {
     ReferenceOptions options = command.options;
-    options.max_depth = command.max_depth.value_or(scene.max_depth);
+    if (options.max_depth == depth_of_scene) options.max_depth = scene.max_depth;
     if (options.width <= 0) {
         options.width = scene.sensor.width;
         options.height = scene.sensor.height;
     }
     const auto wants_any = [&](const std::vector<std::string>& names) {
-        return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return contains(command.aovs, name); });
+        return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return has_group(command.aovs, name); });
     };
     options.bounces = wants_any({"emission", "direct", "bounces"});
     options.surfaces = wants_any({"albedo", "normal", "depth", "position"});
@@ -54,7 +50,7 @@ ReferenceResult trace_with_progress(const Scene& scene, const ReferenceCommand& 
 
 /// The layers come in groups; those that nobody asked for are dropped here.
 bool is_wanted(const Layer& layer, const std::vector<std::string>& aovs) {
-    return layer.name.empty() || contains(aovs, is_bounce(layer.name) ? "bounces" : layer.name);
+    return layer.name.empty() || has_group(aovs, is_bounce(layer.name) ? "bounces" : layer.name);
 }
 
 void write_images(ReferenceReport& report, const ReferenceCommand& command) {

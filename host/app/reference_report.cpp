@@ -6,7 +6,9 @@
 #include <ostream>
 
 #include "app/message.h"
-#include "app/option_values.h"
+#include "app/option_report.h"
+#include "app/options.h"
+#include "options/option_values.h"
 #include "app/run_report.h"
 #include "app/units.h"
 #include "util/output_file.h"
@@ -18,19 +20,14 @@ using Json = nlohmann::ordered_json;
 
 constexpr int schema = 1;
 
-std::string depth_text(int max_depth) { return max_depth < 0 ? "auto" : std::to_string(max_depth); }
-
 double per_second(std::uint64_t count, double seconds) { return seconds > 0 ? static_cast<double>(count) / seconds : 0; }
 
-Json options_json(const ReferenceReport& report, const ReferenceCommand& command) {
-    const ReferenceOptions& options = report.options;
-    Json json{{"spp", options.seconds > 0 ? Json() : Json(options.spp)},
-              {"time", options.seconds > 0 ? Json(options.seconds) : Json()},
-              {"max_depth", options.max_depth < 0 ? Json("auto") : Json(options.max_depth)},
-              {"resolution", {options.width, options.height}},
-              {"seed", options.seed},
-              {"aov", command.aovs},
-              {"defines", command.defines}};
+Json all_options_json(const ReferenceReport& report, const ReferenceCommand& command) {
+    ReferenceCommand used = command;
+    used.options = report.options;
+    Json json = options_json(option_table(used));
+    json["resolution"] = {report.options.width, report.options.height};
+    json["defines"] = command.defines;
     for (const std::filesystem::path& output : command.outputs) {
         json["output"].push_back(output.string());
     }
@@ -63,23 +60,19 @@ void print_summary(std::ostream& out, const ReferenceReport& report, const std::
 }
 
 Metadata image_metadata(const ReferenceReport& report, const ReferenceCommand& command, bool times) {
-    const ReferenceOptions& options = report.options;
     Metadata metadata{
         {"Software", "pencil " PENCIL_VERSION},
         {"pencil:version", PENCIL_VERSION},
         {"pencil:method", "path tracing"},
         {"pencil:scene", command.scene.filename().string()},
         {"pencil:sceneFingerprint", report.scene_fingerprint},
-        {"pencil:spp", report.result.spp},
-        {"pencil:maxDepth", depth_text(options.max_depth)},
-        {"pencil:seed", std::to_string(options.seed)},
-        {"pencil:aov", join(command.aovs)},
     };
+    ReferenceCommand used = command;
+    used.options = report.options;
+    add_options(metadata, option_table(used));
+    metadata["pencil:spp"] = report.result.spp;  // as traced, whatever was asked for
     for (const auto& [name, value] : command.defines) {
         metadata["pencil:define:" + name] = value;
-    }
-    if (options.seconds > 0) {
-        metadata["pencil:time"] = options.seconds;
     }
     if (report.result.interrupted) {
         metadata["pencil:interrupted"] = 1;
@@ -97,7 +90,7 @@ void write_stats(const std::filesystem::path& file, const ReferenceReport& repor
                     {"version", PENCIL_VERSION},
                     {"method", "path tracing"},
                     {"scene", command.scene.string()},
-                    {"options", options_json(report, command)},
+                    {"options", all_options_json(report, command)},
                     {"interrupted", result.interrupted},
                     {"layers", report.layers},
                     {"stages", stages_json(report)},

@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "app/options.h"
+#include "app/commands.h"
+#include "reference/path_tracer.h"
 #include "image/write_image.h"
 
 namespace pencil {

@@ -8,7 +8,8 @@
 #include "app/message.h"
 #include "app/outputs.h"
 #include "app/run_report.h"
-#include "scene/load_scene.h"
+#include "render/render_session.h"
+#include "scene/mitsuba/load_scene.h"
 #include "scene/scene_fingerprint.h"
 #include "util/log.h"
 #include "util/progress.h"
@@ -43,7 +44,7 @@ RenderResult render_with_progress(const Scene& scene, const RenderCommand& comma
         display.update(stage, fraction);
         return interrupted_by() == 0;
     };
-    return render(scene, report.options, command.aovs, device, progress);
+    return render(scene, report.options, device, progress);
 }
 
 void take_result(RunReport& report, const RenderResult& result, Device& device) {
@@ -83,13 +84,10 @@ ExitCode run_render(const RenderCommand& command) {
     add_warnings(report, scene.warnings);
     report.scene_fingerprint = scene_fingerprint(scene);
 
-    report.options = command.options;
-    report.options.bounces = reflections(command.bounces, scene);
-    report.options.pencils = command.pencils.value_or(default_pencils(command.options.method));
-    const bool resized = command.options.width > 0;
-    report.width = report.options.width = resized ? command.options.width : scene.sensor.width;
-    report.height = report.options.height = resized ? command.options.height : scene.sensor.height;
-    check_film_memory(report.width, report.height, command.aovs);
+    report.options = resolve(command.options, scene);
+    report.width = report.options.width;
+    report.height = report.options.height;
+    check_film_memory(report.width, report.height, report.options.aovs);
 
     const std::shared_ptr<Device> device = timed(report, "open device", [&] { return Device::open(command.device); });
     report.device = device->info();

@@ -8,7 +8,9 @@
 #include <ostream>
 
 #include "app/message.h"
-#include "app/option_values.h"
+#include "app/option_report.h"
+#include "options/option_values.h"
+#include "options/render_option_table.h"
 #include "app/units.h"
 
 namespace pencil {
@@ -81,7 +83,6 @@ void print_explanation(std::ostream& out, const RunReport& report) {
 }
 
 Metadata image_metadata(const RunReport& report, const RenderCommand& command, bool times) {
-    const RenderOptions& options = report.options;
     Metadata metadata{
         {"Software", "pencil " PENCIL_VERSION},
         {"pencil:version", PENCIL_VERSION},
@@ -90,23 +91,9 @@ Metadata image_metadata(const RunReport& report, const RenderCommand& command, b
         {"pencil:device", report.device.name},
         {"pencil:driver", report.device.platform + " " + report.device.driver},
         {"pencil:packetWidth", report.packet_width},  // the order of float additions depends on it
-        {"pencil:method", to_string(options.method)},
-        {"pencil:time", options.seconds},
-        {"pencil:targetError", options.target_error},
-        {"pencil:pencils", options.pencils},
-        {"pencil:decay", options.decay},
-        {"pencil:bounces", options.bounces < 0 ? "auto" : std::to_string(options.bounces)},
-        {"pencil:map", options.map},
-        {"pencil:lightSamples", options.light_samples},
-        {"pencil:initial", to_string(options.initial)},
-        {"pencil:placement", to_string(options.placement)},
-        {"pencil:weights", to_string(options.weights)},
-        {"pencil:iterate", to_string(options.iterate)},
-        {"pencil:tolerance", options.tolerance},
-        {"pencil:filmSamples", options.film_samples},
-        {"pencil:seed", std::to_string(options.seed)},
-        {"pencil:aov", join(command.aovs)},
     };
+    RenderOptions options = report.options;
+    add_options(metadata, render_option_table(options));
     for (const auto& [name, value] : command.defines) {
         metadata["pencil:define:" + name] = value;
     }

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "app/options.h"
+#include "app/commands.h"
 #include "cl/device.h"
 #include "image/write_image.h"
-#include "render/render.h"
+#include "options/render_result.h"
 
 namespace pencil {
 

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/option_report.h"
 #include "app/run_report.h"
+#include "options/render_option_table.h"
 #include "util/output_file.h"
 
 namespace pencil {
@@ -13,26 +15,11 @@ using Json = nlohmann::ordered_json;
 
 constexpr int schema = 1;
 
-Json options_json(const RunReport& report, const RenderCommand& command) {
-    const RenderOptions& options = report.options;
-    Json json{{"method", to_string(options.method)},
-              {"time", options.seconds > 0 ? Json(options.seconds) : Json()},
-              {"target_error", options.target_error},
-              {"pencils", options.pencils},
-              {"decay", options.decay},
-              {"bounces", options.bounces < 0 ? Json("auto") : Json(options.bounces)},
-              {"map", options.map},
-              {"light_samples", options.light_samples},
-              {"initial", to_string(options.initial)},
-              {"placement", to_string(options.placement)},
-              {"weights", to_string(options.weights)},
-              {"iterate", to_string(options.iterate)},
-              {"tolerance", options.tolerance},
-              {"resolution", {report.width, report.height}},
-              {"film_samples", options.film_samples},
-              {"seed", options.seed},
-              {"aov", command.aovs},
-              {"defines", command.defines}};
+Json all_options_json(const RunReport& report, const RenderCommand& command) {
+    RenderOptions options = report.options;
+    Json json = options_json(render_option_table(options));
+    json["resolution"] = {report.width, report.height};
+    json["defines"] = command.defines;
     for (const std::filesystem::path& output : command.outputs) {
         json["output"].push_back(output.string());
     }
@@ -90,7 +77,7 @@ void write_stats(const std::filesystem::path& file, const RunReport& report, con
     const Json json{{"schema", schema},
                     {"version", PENCIL_VERSION},
                     {"scene", command.scene.string()},
-                    {"options", options_json(report, command)},
+                    {"options", all_options_json(report, command)},
                     {"device", device_json(report)},
                     {"driver", report.device.driver},
                     {"interrupted", report.interrupted},

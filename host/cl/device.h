@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cl/opencl.h"
+#include "util/launch_times.h"
 
 namespace pencil {
 
@@ -25,12 +26,6 @@ struct DeviceInfo {
 std::vector<DeviceInfo> list_devices();
 /// What was found instead of a device and the usual causes (no writable cache directory, POCL_DEVICES, OCL_ICD_VENDORS).
 std::string no_device_advice();
-
-/// Accumulated time of the launches that share a description [s].
-struct LaunchTimes {
-    int launches = 0;
-    double device_seconds = 0;
-};
 
 /// Time that the device spent on a finished command [s].
 double event_seconds(const cl::Event& event);

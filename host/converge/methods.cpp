@@ -28,8 +28,7 @@ MeasuredMethod pencil_method(const std::string& name, const std::string& summary
 /// A ladder of time.
 Budget surface_budget(int step) {
     RenderOptions options;
-    options.method = Method::surface;
-    options.pencils = default_pencils(Method::surface);
+    options.method = MethodName::surface;
     options.seconds = first_seconds * std::exp2(step);
     std::ostringstream flags;
     flags << "--method surface --time " << options.seconds;
@@ -37,8 +36,9 @@ Budget surface_budget(int step) {
 }
 
 std::vector<MeasuredMethod> make_methods() {
-    const RenderOptions standard;
-    RenderOptions fixed, voronoi, analytic, thesis;
+    RenderOptions standard;
+    standard.method = MethodName::line;
+    RenderOptions fixed = standard, voronoi = standard, analytic = standard, thesis = standard;
     fixed.iterate = Iterate::fixed;
     voronoi.weights = Weights::voronoi;
     analytic.weights = Weights::analytic;
@@ -63,6 +63,12 @@ const char* const path_tracer_summary = "the reference path tracer (pencil refer
 const std::vector<MeasuredMethod>& all_methods() {
     static const std::vector<MeasuredMethod> methods = make_methods();
     return methods;
+}
+
+std::vector<std::string> method_names() {
+    std::vector<std::string> names;
+    for (const MeasuredMethod& method : all_methods()) names.push_back(method.name);
+    return names;
 }
 
 const MeasuredMethod& find_method(const std::string& name) {

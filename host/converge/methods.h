@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "render/render.h"
+#include "options/render_options.h"
 
 namespace pencil {
 
@@ -22,6 +22,8 @@ struct MeasuredMethod {
 
 /// The methods of `pencil render`, in the order of the page.
 const std::vector<MeasuredMethod>& all_methods();
+/// Their names.
+std::vector<std::string> method_names();
 /// By name, which must be one of all_methods().
 const MeasuredMethod& find_method(const std::string& name);
 

@@ -7,6 +7,7 @@
 #include "compare/metrics.h"
 #include "converge/methods.h"
 #include "reference/path_tracer.h"
+#include "render/render_session.h"
 #include "scene/scene_fingerprint.h"
 #include "image/write_image.h"
 #include "util/stopwatch.h"
@@ -20,6 +21,7 @@ RenderOptions render_options(const std::string& method, int budget, std::uint64_
     result.height = options.height;
     result.bounces = options.bounces;
     result.seed = seed;
+    result.aovs = {};
     return result;
 }
 
@@ -28,7 +30,7 @@ bool render_run(RunPoint& point, std::vector<float>& rgb, const Scene& scene, co
                 const std::shared_ptr<Device>& device, const Progress& progress) {
     const double built = device->build_seconds();
     const Stopwatch watch;
-    RenderResult result = render(scene, render_options(point.method, point.budget, point.seed, options), {}, device, progress);
+    RenderResult result = render(scene, render_options(point.method, point.budget, point.seed, options), device, progress);
     point.build_seconds = device->build_seconds() - built;
     point.seconds = watch.seconds() - point.build_seconds;
     for (const StageTime& stage : result.stats.stages) {
@@ -119,7 +121,7 @@ std::optional<RunPoint> run_task(const Task& task, const Scene& scene, const Con
 
 void warm_up(const Scene& scene, const ConvergeOptions& options, const std::shared_ptr<Device>& device, const Progress& progress) {
     for (const std::string& method : options.methods) {
-        render(scene, render_options(method, 0, 0, options), {}, device, progress);
+        render(scene, render_options(method, 0, 0, options), device, progress);
     }
 }
 

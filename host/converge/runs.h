@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "cl/device.h"
 #include "converge/options.h"
 #include "converge/run_plan.h"
 #include "converge/truth.h"

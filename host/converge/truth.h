@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "converge/options.h"
-#include "render/render.h"
+#include "options/render_result.h"
+#include "scene/scene.h"
 
 namespace pencil {
 

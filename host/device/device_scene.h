@@ -5,9 +5,13 @@
 #include "pencils/build_bvh.h"
 #include "pencils/cluster_triangles.h"
 #include "pencils/flat_scene.h"
-#include "visibility/visibility_path.h"
 
 namespace pencil {
+
+/// What has been prepared beside the triangles.
+struct Prepared {
+    bool clusters = false, bvh = false;
+};
 
 struct DeviceScene {
     /// `bvh`: empty where no kernel follows rays; `grouped`: empty where none rasterises by clusters.

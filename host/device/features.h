@@ -1,24 +1,27 @@
 // What a scene and its options need, found once; to_defines is the only place that turns it into kernel defines.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "cl/program.h"
 #include "pencils/flat_scene.h"
-#include "render/render.h"
+#include "shared/weights.h"
 
 namespace pencil {
 
 struct Features {
     bool smooth = false;  // some triangle has vertex normals: interpolated shading normals
-    Weights weights = Weights::dpdf;
-    int cell_grid = 0;      // root of the greatest number of directions that sample Voronoi cells, 0 for other weights
-    bool bvh = false;       // rays through the hierarchy decide visibility, geometry maps do not
     int film_samples = 16;  // visibility samples per pixel
+    // What the method needs:
+    int weights = PENCIL_WEIGHTS_DPDF;  // form of the quadrature weights (shared/weights.h)
+    int cell_grid = 0;                  // root of the greatest number of directions that sample Voronoi cells, 0 for other weights
+    bool bvh = false;                   // rays through the hierarchy decide visibility, geometry maps do not
 };
 
-Features detect_features(const FlatScene& scene, const RenderOptions& options);
+/// The part that scene and film decide.
+Features scene_features(const FlatScene& scene, int film_samples);
 Defines to_defines(const Features& features, int block);
 
 /// Kernels of one render: the program cache with the render's specialisation.
@@ -30,6 +33,8 @@ public:
     const std::shared_ptr<Device>& device() const { return cache_.device(); }
     const Features& features() const { return features_; }
     ProgramCache& cache() { return cache_; }
+    /// Called before every launch; may throw to stop the work (StageClock::poll).
+    void before_launch(std::function<void()> call) { before_launch_ = std::move(call); }
     /// Packets per work-item (PENCIL_BLOCK): enough on CPUs to reuse what the caches hold, one where work-items are narrow.
     int block() const { return device()->packet_width() > 1 ? 8 : 1; }
     std::size_t blocks(int surfels) const {
@@ -44,6 +49,7 @@ public:
 private:
     ProgramCache cache_;
     Features features_;
+    std::function<void()> before_launch_;
 };
 
 }  // namespace pencil

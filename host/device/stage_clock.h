@@ -1,74 +1,65 @@
-// Wall and device time of the stages of a render. A stage ends by waiting for the device, so that its wall time is its own.
+// Wall and device time of the stages of a render, and the place where it is stopped. A stage ends by waiting for the device, so that its
+// wall time is its own.
 #pragma once
 
-#include <chrono>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "cl/device.h"
-#include "render/render.h"
+#include "options/render_result.h"
+#include "util/stopwatch.h"
 
 namespace pencil {
 
+/// Thrown between launches when the caller has asked to stop.
+struct Stopped {};
+
 class StageClock {
 public:
-    StageClock(std::shared_ptr<Device> device, const Progress& progress) : device_(std::move(device)), progress_(progress) {}
+    StageClock(std::shared_ptr<Device> device, const Progress& progress)
+        : device_(std::move(device)), progress_(progress), built_before_(device_->build_seconds()) {}
 
     /// Runs `work` as part of stage `name` (times of equal names add up) and returns its device seconds.
     template <typename Work>
     double run(const std::string& name, Work&& work) {
-        announce(name);
-        const auto start = std::chrono::steady_clock::now();
-        const std::map<std::string, LaunchTimes> before = device_->launch_times();
-        const double built = device_->build_seconds();
+        stage_ = name;
+        poll();
+        const Mark start = mark();
         work();
-        device_->finish();
-        const double build = device_->build_seconds() - built;
-        const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
-        StageTime& stage = find(name);
-        stage.wall_seconds += wall.count() - build;
-        const double device_seconds = add_launches(stage, before);
-        if (build > 0) find("kernel build").wall_seconds += build;
-        return device_seconds;
+        return close(name, start);
     }
 
-    /// Reports progress; true if the caller asked to stop.
+    /// Reports progress. Once the caller has asked to stop, throws Stopped, unless stops are still held.
+    void poll();
+    /// From here on there is an image to stop with.
+    void allow_stops() { held_ = false; }
     bool stopped() const { return stopped_; }
+
     void set_fraction(double fraction) { fraction_ = fraction; }
+    /// Since the start, but for building kernels: that is the driver's time, and none once its cache is warm.
+    double seconds() const { return watch_.seconds() - (device_->build_seconds() - built_before_); }
     const std::vector<StageTime>& stages() const { return stages_; }
 
 private:
-    void announce(const std::string& name) {
-        if (progress_ && !progress_(name, fraction_)) stopped_ = true;
-    }
-    /// Adds what was launched since `before` to the stage; returns its device seconds.
-    double add_launches(StageTime& stage, const std::map<std::string, LaunchTimes>& before) {
-        double seconds = 0;
-        for (const auto& [description, times] : device_->launch_times()) {
-            const auto old = before.find(description);
-            const LaunchTimes earlier = old == before.end() ? LaunchTimes{} : old->second;
-            if (times.launches == earlier.launches) continue;
-            LaunchTimes& kernel = stage.kernels[description];
-            kernel.launches += times.launches - earlier.launches;
-            kernel.device_seconds += times.device_seconds - earlier.device_seconds;
-            stage.launches += times.launches - earlier.launches;
-            seconds += times.device_seconds - earlier.device_seconds;
-        }
-        stage.device_seconds += seconds;
-        return seconds;
-    }
-    StageTime& find(const std::string& name) {
-        for (StageTime& stage : stages_)
-            if (stage.name == name) return stage;
-        stages_.push_back({name, 0, 0, 0, {}});
-        return stages_.back();
-    }
+    /// Where clocks and counters stood when a stage began.
+    struct Mark {
+        double wall, built;
+        std::map<std::string, LaunchTimes> launches;
+    };
+
+    Mark mark() { return {watch_.seconds(), device_->build_seconds(), device_->launch_times()}; }
+    double close(const std::string& name, const Mark& start);
+    double add_launches(StageTime& stage, const std::map<std::string, LaunchTimes>& before);
+    StageTime& find(const std::string& name);
 
     std::shared_ptr<Device> device_;
     Progress progress_;
+    double built_before_;  // seconds of kernel builds for earlier renders on the device
+    Stopwatch watch_;
+    std::string stage_;
     double fraction_ = 0;
-    bool stopped_ = false;
+    bool stopped_ = false, held_ = true;
     std::vector<StageTime> stages_;
 };
 

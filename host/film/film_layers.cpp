@@ -3,13 +3,12 @@
 #include <algorithm>
 
 #include "film/emit_surfels.h"
+#include "options/option_values.h"
 #include "util/error.h"
 
 namespace pencil {
 
 namespace {
-
-const std::set<std::string> known_layers = {"emission", "direct", "bounces", "albedo", "normal", "depth", "position"};
 
 /// World positions of pixels, and distances from the camera along the pixel's ray; empty pixels keep 0.
 void to_world(const FlatScene& flat, const std::vector<float>& coverage, std::vector<float>& position, std::vector<float>& depth) {
@@ -39,8 +38,7 @@ glm::dvec3 mean_rgb(const std::vector<float>& pixels) {
 
 FilmLayers::FilmLayers(const std::vector<std::string>& aovs) : aovs_(aovs.begin(), aovs.end()) {
     for (const std::string& aov : aovs)
-        if (known_layers.count(aov) == 0)
-            throw UsageError("unknown layer \"" + aov + "\"; known: emission, direct, bounces, albedo, normal, depth, position");
+        if (!has_group(layer_groups(), aov)) throw UsageError("unknown layer \"" + aov + "\"; known: " + join(layer_groups()));
 }
 
 void FilmLayers::add_surfaces(Kernels& kernels, const DeviceScene& scene, const FlatScene& flat, const Film& film) {
@@ -68,7 +66,7 @@ void FilmLayers::add_to_beauty(const std::vector<float>& pixels) {
 void FilmLayers::add_bounce(int order, std::vector<float> pixels) {
     add_to_beauty(pixels);
     if (wants(order == 1 ? "direct" : "bounces"))
-        light_.push_back({order == 1 ? "direct" : order == indirect ? "indirect" : "bounce" + std::to_string(order), 3, pixels});
+        light_.push_back({order == indirect ? indirect_layer : bounce_layer(order), 3, pixels});
     last_bounce_ = std::move(pixels);
     last_order_ = order;
 }
@@ -77,7 +75,7 @@ double FilmLayers::close_series(const glm::dvec3& factor) {
     for (std::size_t i = 0; i < last_bounce_.size(); ++i) last_bounce_[i] *= static_cast<float>(factor[static_cast<int>(i % 3)]);
     add_to_beauty(last_bounce_);
     const glm::dvec3 tail = mean_rgb(last_bounce_), image = mean_rgb(beauty_);
-    if (wants("bounces")) light_.push_back({tail_name(last_order_ + 1), 3, std::move(last_bounce_)});
+    if (wants("bounces")) light_.push_back({tail_layer(last_order_ + 1), 3, std::move(last_bounce_)});
     const double sum = image.x + image.y + image.z;
     return sum > 0 ? (tail.x + tail.y + tail.z) / sum : 0.0;
 }

@@ -7,8 +7,7 @@
 
 #include "device/device_scene.h"
 #include "film/film.h"
-#include "pencils/flat_scene.h"
-#include "render/render.h"
+#include "options/layer.h"
 
 namespace pencil {
 
@@ -17,7 +16,7 @@ glm::dvec3 mean_rgb(const std::vector<float>& pixels);
 
 class FilmLayers {
 public:
-    /// `aovs`: "emission", "direct", "bounces", "albedo", "normal", "depth", "position"; others are a UsageError.
+    /// `aovs`: some of layer_groups(); others are a UsageError.
     explicit FilmLayers(const std::vector<std::string>& aovs);
 
     /// Emission (always part of the beauty) and the wanted properties of the surfaces.
@@ -25,10 +24,11 @@ public:
     /// Reflection `order`: 1 is direct light ("direct"), 2 is "bounce2" and so on; indirect is all of them together ("indirect").
     static constexpr int indirect = -1;
     void add_bounce(int order, std::vector<float> pixels);
-    /// Adds the last bounce times `factor` as the rest of the series (`tail_name` of the next order). Returns its mean relative to the
+    /// Adds the last bounce times `factor` as the rest of the series (`tail_layer` of the next order). Returns its mean relative to the
     /// image's.
     double close_series(const glm::dvec3& factor);
-    /// Beauty first, then the wanted layers in a fixed order.
+    /// Beauty first, then the wanted layers in a fixed order. take() leaves nothing behind.
+    std::vector<Layer> snapshot(int width, int height) const { return FilmLayers(*this).take(width, height); }
     std::vector<Layer> take(int width, int height);
 
 private:

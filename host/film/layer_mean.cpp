@@ -101,13 +101,22 @@ double LayerMean::relative_mean_square_error() const {
     return mean_square_noise() + shared_square_error();
 }
 
-std::vector<Layer> LayerMean::take(bool with_error) {
-    if (with_error && count_ >= 2) {
-        const double noise = mean_square_noise(), scale = noise > 0 ? std::sqrt(1.0 + shared_square_error() / noise) : 1.0;
-        Layer error{"error", 3, std::vector<float>(first_.size())};
-        for (std::size_t i = 0; i < first_.size(); ++i) error.pixels[i] = static_cast<float>(scale * std::sqrt(variance_of_mean(i)));
-        mean_.push_back(std::move(error));
-    }
+void LayerMean::append_error(std::vector<Layer>& layers) const {
+    if (count_ < 2) return;
+    const double noise = mean_square_noise(), scale = noise > 0 ? std::sqrt(1.0 + shared_square_error() / noise) : 1.0;
+    Layer error{error_layer, 3, std::vector<float>(first_.size())};
+    for (std::size_t i = 0; i < first_.size(); ++i) error.pixels[i] = static_cast<float>(scale * std::sqrt(variance_of_mean(i)));
+    layers.push_back(std::move(error));
+}
+
+std::vector<Layer> LayerMean::snapshot() const {
+    std::vector<Layer> layers = mean_;
+    append_error(layers);
+    return layers;
+}
+
+std::vector<Layer> LayerMean::take() {
+    append_error(mean_);
     return std::move(mean_);
 }
 

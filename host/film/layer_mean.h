@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "render/render.h"
+#include "options/layer.h"
 
 namespace pencil {
 
@@ -24,8 +24,10 @@ public:
     /// sequences, and what generations share, from the step between the last two. Needs two images; infinite before.
     double relative_mean_square_error() const;
 
-    /// The layers of the mean; with two images or more a layer "error" follows: the estimated error of every beauty value.
-    std::vector<Layer> take(bool with_error);
+    /// The layers of the mean; with two images or more a layer "error" follows: the estimated error of every beauty value. take() leaves
+    /// nothing behind.
+    std::vector<Layer> snapshot() const;
+    std::vector<Layer> take();
 
 private:
     /// Sum of some images: their weight, and weight * beauty, beauty less the first image's.
@@ -41,6 +43,7 @@ private:
     double mean_square_noise() const;
     double shared_square() const;
     double shared_square_error() const;
+    void append_error(std::vector<Layer>& layers) const;
     template <typename Square>
     double relative_mean(Square square) const;
 

@@ -1,12 +1,50 @@
-// Indirect light by line projection, the thesis' method: one pencil set after the other, each projected to the film (thesis alg. 6.4).
+// Line projection, the thesis' method: one pencil set after the other, each projected to the film (thesis alg. 6.4).
 #pragma once
 
+#include <memory>
+
+#include "film/bounce_series.h"
 #include "film/frame.h"
+#include "film/method.h"
+#include "line/pencil_solver.h"
 
 namespace pencil {
 
-/// Adds reflections from order 2 on (from 1 where maps carry emitters) to the frame until the series has converged or enough bounces are
-/// made, and closes it by its tail.
-void add_line_bounces(RenderContext& context, Frame& frame);
+/// UsageError for options that the method cannot serve together.
+MethodNeeds line_needs(const Scene& scene, const std::vector<LightForm>& forms, const RenderOptions& options);
+
+/// Steps: film and direct light, then one bounce at a time, until the series has converged or enough bounces are made; the last one closes
+/// the series by its tail.
+class LineMethod : public Method {
+public:
+    explicit LineMethod(RenderContext& context) : context_(context) {}
+
+    bool advance() override;
+    std::vector<Layer> snapshot() const override;
+    std::vector<Layer> take() override;
+    std::vector<std::string> explain() const override;
+
+private:
+    bool begin();
+    void find_rooms();
+    void make_first_set();
+    PencilSet next_set(bool direct);
+    void project();
+    bool converged();
+    double progress() const;
+    void count_blind();
+    void close_series();
+
+    RenderContext& context_;
+    std::unique_ptr<Frame> frame_;
+    Buffer<int> visible_;  // pencils that each surfel of the film sees
+    std::unique_ptr<FreeSpace> free_space_;
+    std::unique_ptr<CandidateSource> candidates_;
+    std::unique_ptr<PencilSolver> solver_;
+    PencilSet set_;      // carries order_ in its maps
+    int order_ = 0;      // reflections, 0: emission
+    int projected_ = 0;  // sets so far
+    BounceSeries series_;
+};
 
 }  // namespace pencil

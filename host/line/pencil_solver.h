@@ -6,7 +6,7 @@
 #include "device/features.h"
 #include "line/free_space.h"
 #include "device/pencil_set.h"
-#include "render/render.h"
+#include "options/render_options.h"
 #include "device/stage_clock.h"
 #include "device/surfels.h"
 #include "line/weights.h"

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "film/frame.h"
-
 namespace pencil {
 
 namespace {
@@ -13,6 +11,9 @@ namespace {
 constexpr int smallest_set = 16;
 /// Sets of a series that is not limited: the tolerance ends it.
 constexpr int expected_sets = 8;
+/// Tiles of light samples are finer than pencil maps, because shadow edges are seen directly, but not finer than this.
+constexpr int light_map_factor = 4;
+constexpr int largest_light_map = 256;
 
 bool any_emitter(const Scene& scene, const std::vector<LightForm>& forms, LightForm form) {
     for (std::size_t i = 0; i < forms.size(); ++i)
@@ -28,6 +29,8 @@ int planned_sets(const RenderOptions& options, bool maps_emit) {
 
 }  // namespace
 
+int light_map_size(int map) { return std::max(map, std::min(light_map_factor * map, largest_light_map)); }
+
 int set_size(const RenderOptions& options, int index) {
     const double size = options.pencils * std::pow(options.decay, index);
     return std::max(static_cast<int>(std::lround(size)), std::min(options.pencils, smallest_set));
@@ -35,7 +38,7 @@ int set_size(const RenderOptions& options, int index) {
 
 std::vector<MapBatch> planned_maps(const Scene& scene, const std::vector<LightForm>& forms, const RenderOptions& options) {
     std::vector<MapBatch> batches;
-    if (options.method == Method::surface || options.bounces == 0) return batches;
+    if (options.bounces == 0) return batches;
     if (!scene.point_lights.empty() || any_emitter(scene, forms, LightForm::samples))
         batches.push_back({options.light_samples, light_map_size(options.map)});
     const int sets = planned_sets(options, any_emitter(scene, forms, LightForm::maps));

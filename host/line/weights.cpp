@@ -23,8 +23,6 @@ int kernel_weights(Weights weights) {
     return PENCIL_WEIGHTS_DPDF;
 }
 
-std::string weights_library(Weights weights) { return weights == Weights::voronoi ? "weights_voronoi" : "weights_density"; }
-
 std::string explain_weights(Weights weights, int grid) {
     switch (weights) {
         case Weights::voronoi:
@@ -52,7 +50,7 @@ int largest_cell_grid(int pencils) {
 }
 
 const CellTable& WeightTables::cells(int pencils) {
-    const bool voronoi = kernels_.features().weights == Weights::voronoi;
+    const bool voronoi = kernels_.features().weights == PENCIL_WEIGHTS_VORONOI;
     const int grid = voronoi ? std::min(cell_grid(pencils), kernels_.features().cell_grid) : 0;
     CellTable& table = cells_[grid];
     if (!table.directions.allocated()) {

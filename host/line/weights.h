@@ -7,7 +7,7 @@
 
 #include "cl/buffer.h"
 #include "shared/types.h"
-#include "render/render.h"
+#include "options/render_options.h"
 
 namespace pencil {
 
@@ -19,8 +19,6 @@ class FreeSpace;
 
 /// Value of the define PENCIL_WEIGHTS.
 int kernel_weights(Weights weights);
-/// The file of kernels/lib that says what project_pencils adds, without its ending.
-std::string weights_library(Weights weights);
 /// Whether texels of maps hold densities.
 inline bool weights_in_maps(Weights weights) { return weights != Weights::voronoi; }
 /// Whether these densities are made from visibility masks.

@@ -1,4 +1,4 @@
-// One image of a result that has several, and names that more than one writer gives.
+// The layers of an image: their names, once for everyone who makes, writes or compares them.
 #pragma once
 
 #include <string>
@@ -6,18 +6,35 @@
 
 namespace pencil {
 
-/// One image: `channels` floats per pixel, rows from the top.
+/// One layer; rows from the top, channels interleaved.
 struct Layer {
     std::string name;  // "" is the beauty; otherwise "direct", "bounce2", "albedo", "normal", "depth", "position" ...
     int channels = 3;
     std::vector<float> pixels;
 };
 
-/// Name of the sum of reflection `first_order` and all further ones: "tail16". Two images pair layers by name, and by this name only those
-/// that hold the same orders.
-inline std::string tail_name(int first_order) { return "tail" + std::to_string(first_order); }
+/// What --aov chooses from, in the order of files: "emission", "direct", "bounces" (all that bounce_layer names from order 2 on, "indirect",
+/// and the tail of the series), "albedo", "normal", "depth", "position".
+const std::vector<std::string>& layer_groups();
 
-/// Whether the layer is a reflection from the second on, or a sum of them: "bounce2", "tail16".
-inline bool is_bounce(const std::string& name) { return name.rfind("bounce", 0) == 0 || name.rfind("tail", 0) == 0; }
+/// "direct" for order 1, then "bounce2" and so on.
+std::string bounce_layer(int order);
+
+/// The sum of reflection `first_order` and all further ones: "tail16". Images pair layers by name, and this one only pairs those that hold
+/// the same orders.
+std::string tail_layer(int first_order);
+
+/// Whether the layer is a reflection from order 2 on, or a sum of them: "bounce2", "tail16".
+bool is_bounce(const std::string& name);
+
+/// All reflections from order 2 on in one layer.
+constexpr const char* indirect_layer = "indirect";
+/// Estimated standard error of the beauty.
+constexpr const char* error_layer = "error";
+/// Estimated variance of the mean (path tracer).
+constexpr const char* variance_layer = "variance";
+
+/// True if `group` is among `groups`.
+bool has_group(const std::vector<std::string>& groups, const std::string& group);
 
 }  // namespace pencil

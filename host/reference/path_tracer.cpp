@@ -39,9 +39,10 @@ std::vector<Tile> make_tiles(int width, int height) {
     return tiles;
 }
 
-ReferenceOptions with_film_size(ReferenceOptions options, const Scene& scene) {
+ReferenceOptions resolved(ReferenceOptions options, const Scene& scene) {
     if (options.width <= 0) options.width = scene.sensor.width;
     if (options.height <= 0) options.height = scene.sensor.height;
+    if (options.max_depth == depth_of_scene) options.max_depth = scene.max_depth;
     if (options.max_depth == 0 || options.max_depth < -1) throw UsageError("the depth of paths must be -1 or at least 1");
     if (options.seconds <= 0 && options.spp < 1) throw UsageError("at least one path per pixel is needed");
     if (options.threads < 0) throw UsageError("the number of threads must not be negative");
@@ -69,7 +70,7 @@ private:
 class PathTracer {
 public:
     PathTracer(const Scene& scene, const ReferenceOptions& options, const ReferenceProgress& progress)
-        : options_(with_film_size(options, scene)),
+        : options_(resolved(options, scene)),
           reporter_(progress),
           scene_(begin_build(scene)),
           emitters_(scene, scene_),

@@ -9,22 +9,10 @@
 #include <vector>
 
 #include "options/layer.h"
+#include "options/reference_options.h"
 #include "scene/scene.h"
 
 namespace pencil {
-
-struct ReferenceOptions {
-    int spp = 256;              // camera paths per pixel; not used if `seconds` is given
-    double seconds = 0;         // budget of tracing (the BVH's build apart), kept to within half a path per pixel; 0: go by `spp`
-    int max_depth = -1;         // as Scene::max_depth: 1 is emission, 2 direct light, -1 no limit
-    int width = 0, height = 0;  // 0: the scene's film size
-    std::uint64_t seed = 0;
-    int threads = 0;        // that trace; 0: all cores
-    bool bounces = false;   // layers "emission", "direct", "bounce2" ..., and "tail" for the orders beyond
-    bool surfaces = false;  // layers "albedo", "depth", "position", "normal"
-    bool variance = false;  // layer "variance": of the mean in each pixel and channel, from independent sets of samples, which are
-                            // stratified less than one: the image is noisier
-};
 
 struct ReferenceResult {
     int width = 0, height = 0;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "pencils/low_discrepancy.h"
+#include "util/error.h"
 
 namespace pencil {
 
@@ -43,6 +44,17 @@ int world_set_of(int index) {
     return 2 * generation + (within >> generation);
 }
 
+/// A target that is never met ends here.
+constexpr int most_passes = 1 << 14;
+
+/// Layers of light: those of surfaces hardly gain from further passes.
+std::vector<std::string> light_layers(const std::vector<std::string>& aovs) {
+    std::vector<std::string> layers;
+    for (const char* name : {"emission", "direct", "bounces"})
+        if (has_group(aovs, name)) layers.push_back(name);
+    return layers;
+}
+
 }  // namespace
 
 SurfacePass surface_pass(int index, const RenderOptions& options, const Camera& film, int emitters) {
@@ -67,35 +79,109 @@ SurfacePass surface_pass(int index, const RenderOptions& options, const Camera& 
     return pass;
 }
 
+MethodNeeds surface_needs(const Scene&, const std::vector<LightForm>&, const RenderOptions&) {
+    MethodNeeds needs;
+    needs.hierarchy = needs.rays_for_visibility = true;
+    return needs;
+}
+
+SurfaceMethod::SurfaceMethod(RenderContext& context) : context_(context), begun_(context.clock.seconds()) {
+    for (std::size_t i = 0; i < context.forms.size(); ++i)
+        emitters_ += context.scene.shapes[i].emits && context.forms[i] == LightForm::samples ? 1 : 0;
+}
+
+bool SurfaceMethod::advance() {
+    const SurfacePass now = pass(index_);
+    bool lit = false;
+    try {
+        lit = add_pass(now);
+    } catch (const MemoryError& error) {
+        if (mean_.count() == 0) throw;
+        context_.stats.warnings.push_back("stopped after " + std::to_string(mean_.count()) + " passes: " + error.what());
+        return false;
+    }
+    const double time = context_.clock.seconds(), pace = (time - begun_) / now.work;
+    begun_ = time;
+    ++index_;
+    return lit && !enough(pace);
+}
+
+/// Half a pass is worth nothing beside whole ones: only whole ones join the mean. False if nothing can be added to the direct light.
+bool SurfaceMethod::add_pass(const SurfacePass& pass) {
+    const auto index = static_cast<std::uint64_t>(index_);
+    const Turn turn{hash64(hash64(context_.options.seed) - index % LayerMean::sequences - 1), index / LayerMean::sequences};
+    const std::vector<std::string>& aovs = context_.options.aovs;
+    frame_ = std::make_unique<Frame>(context_, index_ == 0 ? aovs : light_layers(aovs), pass.light_samples, 0, turn);
+    const bool lit = frame_->add_direct();
+    if (lit) add_bounces(pass, turn);
+    mean_.add(frame_->take_layers(), pass.weight, pass.generation);
+    frame_ = nullptr;
+    context_.stats.passes = mean_.count();
+    return lit;
+}
+
 /// The world set of the passes from this one on, from what its frame shows.
-void SurfaceMethod::solve_world(const SurfacePass& pass, const Frame& frame) {
+void SurfaceMethod::solve_world(const SurfacePass& pass) {
     const auto& device = context_.kernels.device();
     const std::uint64_t seed = hash64(hash64(context_.options.seed) + static_cast<std::uint64_t>(pass.world_set) + 1);
     const std::vector<LightSample> samples = sample_lights(context_.scene, context_.flat, context_.forms, pass.texel_light_samples, seed);
     SurfaceLights lights{samples.empty() ? LightSet() : LightSet(device, samples, 0),
-                         Buffer<float>(device, near_areas(context_.flat, frame.light_samples()), "near areas of emitters"),
+                         Buffer<float>(device, near_areas(context_.flat, frame_->light_samples()), "near areas of emitters"),
                          Buffer<float>(device, near_areas(context_.flat, samples), "near areas of emitters")};
-    world_set_ = pass.world_set;
+    world_set_ = -1;    // until it is solved: it may be stopped before
     solver_ = nullptr;  // its memory first
     solver_ = std::make_unique<SurfaceSolver>(context_.kernels, context_.device_scene, context_.flat, std::move(lights), pass.world,
                                               context_.clock, static_cast<uint>(seed >> 32));
     const int spacing = seed_spacing * coarsest_spacing(context_.flat.camera);
-    solver_->solve(seed_pencils(context_.kernels, frame.film(), spacing, film_map), context_.options.bounces, context_.options.tolerance);
+    solver_->solve(seed_pencils(context_.kernels, frame_->film(), spacing, film_map), context_.options.bounces, context_.options.tolerance);
     context_.stats.world_pencils += static_cast<std::uint64_t>(solver_->world().count);
     context_.stats.residual = solver_->residual();
+    world_set_ = pass.world_set;
 }
 
-void SurfaceMethod::add_bounces(const SurfacePass& pass, const Turn& turn, Frame& frame) {
-    if (!context_.wanted(1) || context_.clock.stopped()) return;
-    if (frame.film().surfels().count == 0) return frame.finish_bounce(FilmLayers::indirect, 0, 0);  // passes have the same layers
-    if (pass.world_set != world_set_) solve_world(pass, frame);
-    if (context_.clock.stopped()) return;
-    FilmPencils film(context_.kernels, frame.film(), pass.lattice);
+/// Adds all reflections from order 2 on, and of order 1 what light samples do not carry, to the frame, as one layer "indirect".
+void SurfaceMethod::add_bounces(const SurfacePass& pass, const Turn& turn) {
+    if (!context_.wanted(1)) return;
+    if (frame_->film().surfels().count == 0) return frame_->finish_bounce(FilmLayers::indirect, 0, 0);  // passes have the same layers
+    if (pass.world_set != world_set_) solve_world(pass);
+    FilmPencils film(context_.kernels, frame_->film(), pass.lattice);
     const TexelPoints points{static_cast<uint>(turn.seed >> 32), static_cast<uint>(turn.index)};
     context_.clock.run("film pencils", [&] { film.refine(*solver_, points); });
     context_.stats.film_pencils += static_cast<std::uint64_t>(film.count());
-    context_.clock.run("project film", [&] { film.project(frame.outgoing()); });
-    frame.finish_bounce(FilmLayers::indirect, film.count(), 0);
+    context_.clock.run("project film", [&] { film.project(frame_->outgoing()); });
+    frame_->finish_bounce(FilmLayers::indirect, film.count(), 0);
+}
+
+/// True if the next pass is not needed or would not end in time; `pace`: seconds per unit of work.
+bool SurfaceMethod::enough(double pace) {
+    const RenderOptions& options = context_.options;
+    StageClock& clock = context_.clock;
+    if (options.seconds > 0) {
+        clock.set_fraction(std::min(clock.seconds() / options.seconds, 1.0));
+        return clock.seconds() + pace * pass(index_).work > options.seconds;
+    }
+    const double error = mean_.relative_mean_square_error();
+    if (mean_.count() >= 2) clock.set_fraction(std::min(options.target_error / error, 1.0));
+    if (mean_.count() >= 2 && !std::isfinite(error)) {
+        context_.stats.warnings.push_back("the image holds values that are not finite: stopped, the error is not known");
+        return true;
+    }
+    return error <= options.target_error || index_ >= most_passes;
+}
+
+std::vector<Layer> SurfaceMethod::snapshot() const {
+    if (mean_.count() > 0) return mean_.snapshot();
+    return frame_ ? frame_->snapshot() : std::vector<Layer>();
+}
+
+std::vector<Layer> SurfaceMethod::take() {
+    if (mean_.count() > 0) return mean_.take();
+    return frame_ ? frame_->take_layers() : std::vector<Layer>();
+}
+
+std::vector<std::string> SurfaceMethod::explain() const {
+    return {"visibility: always rays through the hierarchy; no geometry maps, so no choice among ways to make them",
+            "indirect light: pencils on surfaces; left out: octahedral maps of pencils, density, weights, shrinking sets"};
 }
 
 }  // namespace pencil

@@ -2,8 +2,12 @@
 // is the mean of passes, which grow finer: noise and interpolation error both fall with time.
 #pragma once
 
-#include "surface/film_pencils.h"
+#include <memory>
+
 #include "film/frame.h"
+#include "film/layer_mean.h"
+#include "film/method.h"
+#include "surface/film_pencils.h"
 #include "surface/surface_solver.h"
 
 namespace pencil {
@@ -25,18 +29,34 @@ struct SurfacePass {
 /// mean as both fall (docs/accuracy.md).
 SurfacePass surface_pass(int index, const RenderOptions& options, const Camera& film, int emitters);
 
-class SurfaceMethod {
-public:
-    explicit SurfaceMethod(RenderContext& context) : context_(context) {}
+/// Hierarchy and rays; no maps.
+MethodNeeds surface_needs(const Scene& scene, const std::vector<LightForm>& forms, const RenderOptions& options);
 
-    /// Adds all reflections from order 2 on, and of order 1 what light samples do not carry, to the frame, as one layer "indirect".
-    void add_bounces(const SurfacePass& pass, const Turn& turn, Frame& frame);
+/// Steps: one pass each, until time or the estimated error tell to stop. The image is the mean of the passes.
+class SurfaceMethod : public Method {
+public:
+    explicit SurfaceMethod(RenderContext& context);
+
+    bool advance() override;
+    std::vector<Layer> snapshot() const override;
+    std::vector<Layer> take() override;
+    double estimated_error() const override { return mean_.relative_mean_square_error(); }
+    std::vector<std::string> explain() const override;
 
 private:
-    void solve_world(const SurfacePass& pass, const Frame& frame);
+    bool add_pass(const SurfacePass& pass);
+    void add_bounces(const SurfacePass& pass, const Turn& turn);
+    void solve_world(const SurfacePass& pass);
+    bool enough(double pace);
+    SurfacePass pass(int index) const { return surface_pass(index, context_.options, context_.flat.camera, emitters_); }
 
     RenderContext& context_;
-    int world_set_ = -1;  // of the solver
+    int emitters_ = 0;  // shapes whose light is sampled
+    int index_ = 0;     // of the next pass
+    double begun_ = 0;  // when the last pass ended [s]
+    LayerMean mean_;
+    std::unique_ptr<Frame> frame_;  // of the pass in the making
+    int world_set_ = -1;            // of the solver
     std::unique_ptr<SurfaceSolver> solver_;
 };
 

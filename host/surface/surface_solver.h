@@ -1,7 +1,6 @@
 // Light of surface pencils: the world set's irradiance after all bounces, and what film pencils gather from it.
 #pragma once
 
-#include "render/render.h"
 #include "device/stage_clock.h"
 #include "surface/world_set.h"
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "device/device_scene.h"
+
 namespace pencil {
 
 enum class VisibilityPath { rasterize, clusters, trace };
@@ -14,11 +16,6 @@ constexpr std::array<VisibilityPath, 3> visibility_paths{VisibilityPath::rasteri
 /// Maps of `size` x `size` texels.
 struct MapBatch {
     int maps = 0, size = 0;
-};
-
-/// What has been prepared beside the triangles.
-struct Prepared {
-    bool clusters = false, bvh = false;
 };
 
 /// Predicted host time to prepare a path [s]: nothing, 90 ns per triangle for clusters, 0.2 ms and 700 ns per triangle for a hierarchy.

@@ -10,7 +10,7 @@
 #include "fuzz/check_mesh.h"
 #include "pencils/flat_scene.h"
 #include "pencils/light_samples.h"
-#include "scene/load_scene.h"
+#include "scene/mitsuba/load_scene.h"
 
 namespace {
 

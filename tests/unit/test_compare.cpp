@@ -201,8 +201,8 @@ TEST(CompareImages, LayersThatBothHave) {
 }
 
 TEST(CompareImages, TailsOfOtherOrdersAreNoPair) {
-    const Image render = image_with({"bounce10.R", tail_name(11) + ".R"}, {1, 2});
-    const Image reference = image_with({"bounce10.R", "bounce11.R", tail_name(16) + ".R"}, {1, 1, 1});
+    const Image render = image_with({"bounce10.R", tail_layer(11) + ".R"}, {1, 2});
+    const Image reference = image_with({"bounce10.R", "bounce11.R", tail_layer(16) + ".R"}, {1, 1, 1});
     const Comparison result = compare_images(render, reference, "a.exr", "b.exr");
     ASSERT_EQ(result.layers.size(), 1U);
     EXPECT_EQ(result.layers[0].name, "bounce10");

@@ -21,7 +21,7 @@ TEST(LayerMean, OneImageIsItselfWithUnknownError) {
     LayerMean mean;
     mean.add({Layer{"", 3, {1, 2, 3}}}, 1.0, 0);
     EXPECT_TRUE(std::isinf(mean.relative_mean_square_error()));
-    const std::vector<Layer> layers = mean.take(true);
+    const std::vector<Layer> layers = mean.take();
     ASSERT_EQ(layers.size(), 1U);
     EXPECT_EQ(layers[0].pixels, (std::vector<float>{1, 2, 3}));
 }
@@ -30,7 +30,7 @@ TEST(LayerMean, WeightsCount) {
     LayerMean mean;
     mean.add({Layer{"", 3, {0, 0, 0}}, Layer{"direct", 3, {4, 4, 4}}}, 1.0, 0);
     mean.add({Layer{"", 3, {3, 6, 9}}, Layer{"direct", 3, {1, 1, 1}}}, 2.0, 0);
-    const std::vector<Layer> layers = mean.take(true);
+    const std::vector<Layer> layers = mean.take();
     ASSERT_EQ(layers.size(), 3U);
     EXPECT_FLOAT_EQ(layers[0].pixels[1], 4.0F);
     EXPECT_FLOAT_EQ(layers[1].pixels[0], 2.0F);
@@ -76,7 +76,7 @@ TEST(LayerMean, ImagesOfASequenceMayContinueEachOther) {
     }
     EXPECT_GT(before, 1e-3);
     EXPECT_LT(mean.relative_mean_square_error(), 1e-6 * before);
-    const std::vector<Layer> layers = mean.take(false);
+    const std::vector<Layer> layers = mean.take();
     for (const float value : layers.front().pixels) EXPECT_NEAR(value, 2.0F, 1e-5F);
 }
 
@@ -96,7 +96,7 @@ double estimate_with_shared_errors(int generations, double shared, double sigma)
     }
     const double estimate = mean.relative_mean_square_error();
     double truth = 0;
-    const std::vector<Layer> layers = mean.take(false);
+    const std::vector<Layer> layers = mean.take();
     for (const float value : layers.front().pixels) truth += (value - 2.0) * (value - 2.0) / (4.04 * static_cast<double>(size));
     return estimate / truth;
 }

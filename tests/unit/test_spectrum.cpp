@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-#include "scene/load_scene.h"
+#include "scene/mitsuba/load_scene.h"
 #include "scene/mitsuba/spectrum.h"
 
 namespace pencil {

@@ -9,7 +9,7 @@
 #include "device/device_scene.h"
 #include "device/features.h"
 #include "device/pencil_set.h"
-#include "render/render.h"
+#include "options/render_options.h"
 
 namespace pencil {
 

@@ -1,46 +1,17 @@
-// The product's main job: a scene and options in, layers out. Everything between runs in kernels.
+// What a render gives: layers, and what it did.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <glm/vec3.hpp>
 #include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "cl/device.h"
 #include "options/layer.h"
-#include "scene/scene.h"
+#include "util/launch_times.h"
 
 namespace pencil {
-
-enum class Method { line, surface };
-enum class Initial { direct, emission, automatic };
-enum class Placement { random, lds, near_surface, light_rays, camera_rays, profile };
-enum class Weights { dpdf, voronoi, analytic, thesis };
-enum class Iterate { sets, fixed };
-
-struct RenderOptions {
-    Method method = Method::line;
-    int pencils = 128;   // line: of the first set; surface: of the world set of the first pass
-    double decay = 0.7;  // size of the next pencil set relative to the last
-    int bounces = -1;    // reflections at most, direct light included; -1: until the tolerance
-    int map = 64;        // octahedral tile size, a multiple of 8 [texels]
-    int light_samples = 64;
-    Initial initial = Initial::automatic;
-    std::vector<Placement> placement{Placement::lds};  // a mixture: in turn
-    Weights weights = Weights::dpdf;
-    Iterate iterate = Iterate::sets;
-    double seconds = 0;          // surface: passes until then, 0: until target_error
-    double target_error = 1e-3;  // surface: estimated relMSE at which to stop
-    double tolerance = 1e-3;     // of the radiance a bounce adds, relative to the sum
-    int width = 0, height = 0;   // 0: the scene's film size
-    std::uint64_t seed = 0;
-    int film_samples = 16;  // visibility samples per pixel, 1 to 64
-};
-
-/// As many as a first picture needs.
-inline int default_pencils(Method method) { return method == Method::line ? 128 : 800; }
 
 struct StageTime {
     std::string name;
@@ -80,11 +51,7 @@ struct RenderResult {
     bool interrupted = false;  // stopped early: the layers hold what was finished
 };
 
-/// Called between launches; `fraction` in [0, 1]. Return false to stop early.
+/// Called between launches; `fraction` in [0, 1] of the whole. Return false to stop early.
 using Progress = std::function<bool(const std::string& stage, double fraction)>;
-
-/// `aovs`: layers wanted besides the beauty ("emission", "direct", "bounces", "albedo", "normal", "depth", "position").
-RenderResult render(const Scene& scene, const RenderOptions& options, const std::vector<std::string>& aovs, std::shared_ptr<Device> device,
-                    const Progress& progress = {});
 
 }  // namespace pencil

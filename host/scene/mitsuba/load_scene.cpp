@@ -1,6 +1,6 @@
 // From the checked XML tree to a Scene. Shapes refer to their materials by index; a material is added when a shape first uses it, but
 // every one in the file is read, so that a mistake shows even where nothing uses it yet.
-#include "scene/load_scene.h"
+#include "scene/mitsuba/load_scene.h"
 
 #include <new>
 

@@ -1,4 +1,4 @@
-// Texts from the command line to values, each with a message that says what is accepted. Used by options.cpp only.
+// Texts to values, each with a message that says what is accepted.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // std::from_chars throughout: it knows no locale, no leading blanks and no partial numbers.
-#include "app/option_values.h"
+#include "options/option_values.h"
 
 #include <algorithm>
 #include <charconv>

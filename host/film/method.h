@@ -1,0 +1,41 @@
+// A method of rendering: says what it needs, does one step at a time, explains itself. Nothing but the table in render/ knows which there
+// are; a method lies in a folder of its own.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "options/layer.h"
+#include "pencils/flat_scene.h"
+#include "shared/weights.h"
+#include "visibility/visibility_path.h"
+
+namespace pencil {
+
+/// What a method needs to have before its first step.
+struct MethodNeeds {
+    std::vector<MapBatch> maps;         // geometry maps that will be made, as far as can be told
+    bool hierarchy = false;             // some kernel follows rays, whatever way the maps are made
+    bool rays_for_visibility = false;   // Features::bvh
+    int weights = PENCIL_WEIGHTS_DPDF;  // Features::weights
+    int cell_grid = 0;                  // Features::cell_grid
+};
+
+class Method {
+public:
+    virtual ~Method() = default;
+
+    /// One step: a pass, or a bounce. False if that was the last. Throws Stopped where it was stopped; what is finished by then stays.
+    virtual bool advance() = 0;
+    /// The image as far as it has come, beauty first; empty before there is one.
+    virtual std::vector<Layer> snapshot() const = 0;
+    /// The same, at the end: nothing may follow.
+    virtual std::vector<Layer> take() { return snapshot(); }
+    /// Estimated relMSE of the beauty; infinite if not known.
+    virtual double estimated_error() const { return std::numeric_limits<double>::infinity(); }
+    /// Decisions and what was left out, one sentence each.
+    virtual std::vector<std::string> explain() const = 0;
+};
+
+}  // namespace pencil

@@ -1,0 +1,50 @@
+#include "film/render_context.h"
+
+#include "pencils/light_samples.h"
+
+namespace pencil {
+
+namespace {
+
+Features complete_features(const FlatScene& flat, const RenderOptions& options, const MethodNeeds& needs) {
+    Features features = scene_features(flat, options.film_samples);
+    features.bvh = needs.rays_for_visibility;
+    features.weights = needs.weights;
+    features.cell_grid = needs.cell_grid;
+    return features;
+}
+
+Prepared preparation(const FlatScene& flat, const MethodNeeds& needs, const Device& device) {
+    Prepared prepared;
+    if (!needs.maps.empty())
+        prepared = plan_preparation(static_cast<int>(flat.triangles.size()), needs.maps, static_cast<int>(device.info().compute_units));
+    prepared.bvh = prepared.bvh || needs.hierarchy;
+    return prepared;
+}
+
+DeviceScene prepare_scene(RenderContext& context) {
+    Bvh bvh;
+    Clusters clusters;
+    if (context.prepared.bvh) context.clock.run("hierarchy", [&] { bvh = build_bvh(context.flat.triangles); });
+    if (context.prepared.clusters) context.clock.run("clusters", [&] { clusters = cluster_triangles(context.flat.triangles); });
+    return DeviceScene(context.kernels.device(), context.flat, bvh, clusters);
+}
+
+}  // namespace
+
+RenderContext::RenderContext(const Scene& scene_to_render, const RenderOptions& render_options, NeedsOf needs_of,
+                             const std::shared_ptr<Device>& device, const Progress& progress)
+    : scene(scene_to_render),
+      options(render_options),
+      clock(device, progress),
+      forms(choose_light_forms(scene, options.initial == Initial::direct, options.initial == Initial::emission)),
+      flat(flatten(scene, forms, options.width, options.height)),
+      needs(needs_of(scene, forms, options)),
+      kernels(device, complete_features(flat, options, needs)),
+      prepared(preparation(flat, needs, *device)),
+      device_scene(prepare_scene(*this)) {
+    for (std::size_t i = 0; i < forms.size(); ++i) maps_emit = maps_emit || (scene.shapes[i].emits && forms[i] == LightForm::maps);
+    kernels.before_launch([this] { clock.poll(); });
+}
+
+}  // namespace pencil

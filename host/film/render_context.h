@@ -1,0 +1,43 @@
+// What is made once per render, whatever the method and however many steps it takes.
+#pragma once
+
+#include <memory>
+
+#include "device/device_scene.h"
+#include "device/features.h"
+#include "device/stage_clock.h"
+#include "film/method.h"
+#include "options/render_options.h"
+#include "options/render_result.h"
+#include "pencils/flat_scene.h"
+#include "scene/scene.h"
+
+namespace pencil {
+
+/// What the method of `options` needs for this scene; `forms`: how each shape's light enters.
+using NeedsOf = MethodNeeds (*)(const Scene& scene, const std::vector<LightForm>& forms, const RenderOptions& options);
+
+struct RenderContext {
+    /// `options`: complete, nothing left to the scene or the method. `scene` must outlive the context.
+    RenderContext(const Scene& scene, const RenderOptions& options, NeedsOf needs_of, const std::shared_ptr<Device>& device,
+                  const Progress& progress);
+    RenderContext(const RenderContext&) = delete;
+    RenderContext& operator=(const RenderContext&) = delete;
+
+    /// Reflections of order `order` are part of the image (1 is direct light).
+    bool wanted(int order) const { return options.bounces < 0 || order <= options.bounces; }
+
+    const Scene& scene;
+    const RenderOptions options;
+    StageClock clock;
+    std::vector<LightForm> forms;
+    FlatScene flat;
+    MethodNeeds needs;
+    Kernels kernels;
+    Prepared prepared;
+    DeviceScene device_scene;
+    bool maps_emit = false;  // some emitter is carried by the maps
+    RenderStats stats;       // as far as methods fill them; the session adds the rest
+};
+
+}  // namespace pencil

@@ -1,0 +1,111 @@
+#include "options/render_option_table.h"
+
+#include <limits>
+#include <stdexcept>
+
+#include "options/option_values.h"
+
+namespace pencil {
+
+namespace {
+
+/// More pencils, light samples or seconds than any device or patience has.
+constexpr int many = 1 << 20;
+constexpr double long_time = 1e6;
+constexpr int most_bounces = 1000;
+/// Octahedral maps: whole blocks of 8 x 8 texels.
+constexpr int map_step = 8, largest_map = 1024;
+
+/// In the order of the enumerations.
+const std::vector<std::string> methods{"surface", "line"}, initials{"direct", "emission", "auto"},
+    placements{"random", "lds", "near-surface", "light-rays", "camera-rays", "profile"}, weightings{"dpdf", "voronoi", "analytic", "thesis"},
+    iterations{"sets", "fixed"};
+
+Option only(MethodName method, Option option) {
+    option.method = to_string(method);
+    return option;
+}
+
+Option pencils_row(int& pencils) {
+    Option row = integer_option("--pencils", pencils, 1, many, "Pencils of the first set; surface: of the world set of the first pass");
+    row.standard = std::to_string(standard_pencils(MethodName::surface)) + "; line: " + std::to_string(standard_pencils(MethodName::line));
+    return row;
+}
+
+Option bounces_row(int& bounces) {
+    return {"--bounces", "K", "auto, 0 to " + std::to_string(most_bounces), "the scene's max_depth",
+            "Reflections at most: 0 emission only, 1 direct light only; auto: until --tolerance", "",
+            [&bounces](const std::string& text) {
+                bounces = text == "auto" ? endless_bounces : static_cast<int>(parse_integer(text, 0, most_bounces));
+            },
+            [&bounces] { return bounces < 0 ? OptionValue(std::string("auto")) : OptionValue(std::int64_t{bounces}); }};
+}
+
+Option map_row(int& map) {
+    Option row = integer_option("--map", map, map_step, largest_map, "Width of a pencil's octahedral map in texels, a multiple of 8");
+    row.read = [&map, read = row.read](const std::string& text) {
+        read(text);
+        if (map % map_step != 0) throw std::invalid_argument("\"" + text + "\" is not a multiple of " + std::to_string(map_step));
+    };
+    return row;
+}
+
+std::string mixture_text(const std::vector<Placement>& mixture) {
+    std::string text;
+    for (const Placement member : mixture) text += (text.empty() ? "" : "+") + placements[static_cast<std::size_t>(member)];
+    return text;
+}
+
+Option placement_row(std::vector<Placement>& mixture) {
+    return {"--placement", "A+B", join(placements), mixture_text(mixture),
+            "Where the pencils lie, or several such sets in equal parts, like lds+near-surface", "",
+            [&mixture](const std::string& text) {
+                mixture.clear();
+                for (const std::size_t index : parse_mixture(text, placements)) mixture.push_back(static_cast<Placement>(index));
+            },
+            [&mixture] { return OptionValue(mixture_text(mixture)); }};
+}
+
+Option time_row(double& seconds) {
+    Option row = real_option("--time", seconds, 0, false, long_time,
+                             "Passes for so many seconds after loading, at least one, instead of --target-error");
+    row.value = "S";
+    row.standard = "";
+    row.show = [&seconds] { return seconds > 0 ? OptionValue(seconds) : OptionValue(); };
+    return row;
+}
+
+}  // namespace
+
+std::string to_string(MethodName method) { return methods[static_cast<std::size_t>(method)]; }
+
+std::vector<Option> render_option_table(RenderOptions& o) {
+    constexpr MethodName line = MethodName::line, surface = MethodName::surface;
+    return {
+        word_option("--method", o.method, methods,
+                    "Pencils on surfaces, or line projection, the thesis' method; an option of line alone selects it"),
+        only(surface, time_row(o.seconds)),
+        only(surface, real_option("--target-error", o.target_error, 0, false, long_time,
+                                  "Passes until the estimated relMSE is at most this, at least two")),
+        pencils_row(o.pencils),
+        only(line, real_option("--decay", o.decay, 0, false, 1, "Size of each further set relative to the last")),
+        bounces_row(o.bounces),
+        real_option("--tolerance", o.tolerance, 0, false, 1,
+                    "Stop when a bounce adds less than this share; the rest is estimated and reported"),
+        only(line, map_row(o.map)),
+        integer_option("--light-samples", o.light_samples, 1, many, "Point samples over all emitters"),
+        word_option("--initial", o.initial, initials,
+                    "Direct light from light samples, or from maps that carry emitted light; auto decides per emitter"),
+        only(line, placement_row(o.placement)),
+        only(line, word_option("--weights", o.weights, weightings,
+                               "Quadrature weights of the pencils: by density of directions, by Voronoi cells, by free path; thesis is dpdf "
+                               "with the printed normaliser")),
+        only(line, word_option("--iterate", o.iterate, iterations, "A new, smaller set for each bounce, or one set iterated")),
+        resolution_option(o.width, o.height, "the scene's"),
+        integer_option("--film-samples", o.film_samples, 1, 64, "Visibility samples of a pixel"),
+        list_option("--aov", o.aovs, layer_groups(), "all", "Layers beside the beauty, separated by commas"),
+        seed_option(o.seed),
+    };
+}
+
+}  // namespace pencil

@@ -1,0 +1,15 @@
+// The table of the options of a render: every name, range, default and help text.
+#pragma once
+
+#include "options/option.h"
+#include "options/render_options.h"
+
+namespace pencil {
+
+/// One row per option, bound to the fields of `options`, which must outlive the rows.
+std::vector<Option> render_option_table(RenderOptions& options);
+
+/// Words of the command line.
+std::string to_string(MethodName method);
+
+}  // namespace pencil

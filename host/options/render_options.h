@@ -1,0 +1,45 @@
+// What a render can be asked for. These are the program's defaults and the library's: there are no others.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "options/layer.h"
+
+namespace pencil {
+
+enum class MethodName { surface, line };
+enum class Initial { direct, emission, automatic };
+enum class Placement { random, lds, near_surface, light_rays, camera_rays, profile };
+enum class Weights { dpdf, voronoi, analytic, thesis };
+enum class Iterate { sets, fixed };
+
+constexpr int pencils_of_method = 0;  // RenderOptions::pencils: standard_pencils of the method
+constexpr int bounces_of_scene = -2;  // RenderOptions::bounces: the scene's max_depth
+constexpr int endless_bounces = -1;   // until the tolerance
+
+struct RenderOptions {
+    MethodName method = MethodName::surface;
+    int pencils = pencils_of_method;  // line: of the first set; surface: of the world set of the first pass
+    double decay = 0.7;               // line: size of the next pencil set relative to the last
+    int bounces = bounces_of_scene;   // reflections at most, direct light included
+    int map = 64;                     // line: octahedral tile size, a multiple of 8 [texels]
+    int light_samples = 64;
+    Initial initial = Initial::automatic;
+    std::vector<Placement> placement{Placement::lds};  // line: a mixture, in turn
+    Weights weights = Weights::dpdf;                   // line
+    Iterate iterate = Iterate::sets;                   // line
+    double seconds = 0;                                // surface: passes until then, 0: until target_error
+    double target_error = 1e-3;                        // surface: estimated relMSE at which to stop
+    double tolerance = 1e-3;                           // of the radiance a bounce adds, relative to the sum
+    int width = 0, height = 0;                         // 0: the scene's film size [pixels]
+    std::uint64_t seed = 0;
+    int film_samples = 16;                           // visibility samples per pixel, 1 to 64
+    std::vector<std::string> aovs = layer_groups();  // layers besides the beauty
+};
+
+/// As many as a first picture needs.
+constexpr int standard_pencils(MethodName method) { return method == MethodName::line ? 128 : 800; }
+
+}  // namespace pencil

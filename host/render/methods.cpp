@@ -1,0 +1,30 @@
+#include "render/methods.h"
+
+#include <stdexcept>
+
+#include "line/line_method.h"
+#include "surface/surface_method.h"
+
+namespace pencil {
+
+namespace {
+
+template <typename M>
+std::unique_ptr<Method> make(RenderContext& context) {
+    return std::make_unique<M>(context);
+}
+
+constexpr MethodRow methods[] = {
+    {MethodName::surface, surface_needs, make<SurfaceMethod>},
+    {MethodName::line, line_needs, make<LineMethod>},
+};
+
+}  // namespace
+
+const MethodRow& find_method(MethodName name) {
+    for (const MethodRow& row : methods)
+        if (row.name == name) return row;
+    throw std::logic_error("a method has no row in the table of methods");
+}
+
+}  // namespace pencil

@@ -1,0 +1,105 @@
+#include "render/render_session.h"
+
+#include <algorithm>
+
+#include "film/film.h"
+#include "film/render_context.h"
+#include "render/explain.h"
+#include "render/methods.h"
+#include "util/error.h"
+
+namespace pencil {
+
+namespace {
+
+/// Limits of the kernels' 32-bit indices and layouts, for callers that bypass the command line.
+void check_options(const RenderOptions& options) {
+    if (options.map < 8 || options.map % 8 != 0)
+        throw UsageError("the map size must be a multiple of 8, not " + std::to_string(options.map));
+    if (options.film_samples < 1 || options.film_samples > 64)
+        throw UsageError("film samples must be 1 to 64, not " + std::to_string(options.film_samples));
+    if (options.pencils < 1 || options.decay <= 0 || options.decay > 1)
+        throw UsageError("at least one pencil and a decay in (0, 1] are needed");
+}
+
+void check_memory(const RenderOptions& options, const Device& device) {
+    const double bytes = film_bytes(static_cast<double>(options.width) * options.height, options.film_samples);
+    const auto available = static_cast<double>(device.info().global_memory);
+    const auto mebibytes = [](double size) { return std::to_string(static_cast<long long>(size / (1 << 20))) + " MiB"; };
+    if (bytes > available)
+        throw MemoryError("a film of " + std::to_string(options.width) + "x" + std::to_string(options.height) + " pixels needs about " +
+                          mebibytes(bytes) + " of device memory, " + mebibytes(available) + " exist; use a smaller --resolution");
+}
+
+RenderOptions checked(const RenderOptions& options, const Scene& scene, const Device& device) {
+    RenderOptions complete = resolve(options, scene);
+    check_options(complete);
+    check_memory(complete, device);
+    return complete;
+}
+
+}  // namespace
+
+RenderOptions resolve(const RenderOptions& options, const Scene& scene) {
+    RenderOptions complete = options;
+    if (complete.pencils == pencils_of_method) complete.pencils = standard_pencils(complete.method);
+    // max_depth counts the emitter as the first vertex of a path.
+    if (complete.bounces == bounces_of_scene)
+        complete.bounces = scene.max_depth < 0 ? endless_bounces : std::max(scene.max_depth - 1, 0);
+    if (complete.width <= 0) {
+        complete.width = scene.sensor.width;
+        complete.height = scene.sensor.height;
+    }
+    return complete;
+}
+
+RenderSession::RenderSession(const Scene& scene, const RenderOptions& options, const std::shared_ptr<Device>& device,
+                             const Progress& progress)
+    : context_(std::make_unique<RenderContext>(scene, checked(options, scene, *device), find_method(options.method).needs, device, progress)),
+      method_(find_method(options.method).make(*context_)) {}
+
+RenderSession::~RenderSession() = default;
+
+bool RenderSession::advance() {
+    try {
+        return method_->advance() && !context_->clock.stopped();
+    } catch (const Stopped&) {
+        return false;
+    }
+}
+
+std::vector<Layer> RenderSession::snapshot() const { return method_->snapshot(); }
+double RenderSession::estimated_error() const { return method_->estimated_error(); }
+bool RenderSession::interrupted() const { return context_->clock.stopped(); }
+const RenderOptions& RenderSession::options() const { return context_->options; }
+
+RenderStats RenderSession::stats() const {
+    RenderStats stats = context_->stats;
+    stats.explain = explain(*context_);
+    const std::vector<std::string> own = method_->explain();
+    stats.explain.insert(stats.explain.end(), own.begin(), own.end());
+    stats.stages = context_->clock.stages();
+    stats.estimated_error = method_->estimated_error();
+    stats.device_peak_bytes = context_->kernels.device()->peak_allocated();
+    stats.triangles = context_->flat.triangles.size();
+    return stats;
+}
+
+RenderResult RenderSession::finish() {
+    RenderResult result;
+    result.stats = stats();
+    result.layers = method_->take();
+    result.width = context_->options.width;
+    result.height = context_->options.height;
+    result.interrupted = interrupted();
+    return result;
+}
+
+RenderResult render(const Scene& scene, const RenderOptions& options, const std::shared_ptr<Device>& device, const Progress& progress) {
+    RenderSession session(scene, options, device, progress);
+    while (session.advance()) {
+    }
+    return session.finish();
+}
+
+}  // namespace pencil

@@ -1,0 +1,51 @@
+// The product's main job: a scene and options in, layers out, a step at a time. Everything between runs in kernels.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "cl/device.h"
+#include "options/render_options.h"
+#include "options/render_result.h"
+#include "scene/scene.h"
+
+namespace pencil {
+
+class Method;
+struct RenderContext;
+
+/// `options` with everything settled that they leave to the method or to the scene: pencils, bounces, size.
+RenderOptions resolve(const RenderOptions& options, const Scene& scene);
+
+/// The only owner of a solve. Not thread-safe.
+class RenderSession {
+public:
+    /// `scene` must outlive the session. `progress` is called between launches and may stop the work. UsageError for options out of range,
+    /// MemoryError if the film alone does not fit the device, DeviceError.
+    RenderSession(const Scene& scene, const RenderOptions& options, const std::shared_ptr<Device>& device, const Progress& progress = {});
+    ~RenderSession();
+    RenderSession(const RenderSession&) = delete;
+    RenderSession& operator=(const RenderSession&) = delete;
+
+    /// One step: a pass of the surface method, a bounce of the line method. False if it was the last, or stopped: what is finished stays.
+    bool advance();
+    /// The image as far as it has come, beauty first; empty before the first step.
+    std::vector<Layer> snapshot() const;
+    /// Estimated relMSE of the beauty, infinite if not known.
+    double estimated_error() const;
+    RenderStats stats() const;
+    bool interrupted() const;
+
+    const RenderOptions& options() const;  // resolved
+    /// Layers and stats; the session ends here.
+    RenderResult finish();
+
+private:
+    std::unique_ptr<RenderContext> context_;
+    std::unique_ptr<Method> method_;
+};
+
+/// All steps of a session.
+RenderResult render(const Scene& scene, const RenderOptions& options, const std::shared_ptr<Device>& device, const Progress& progress = {});
+
+}  // namespace pencil
