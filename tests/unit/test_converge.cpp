@@ -117,7 +117,7 @@ TEST(Methods, EveryStepIsLargerAndSaysItsOptions) {
         for (int step = 1; step < 12; ++step) {
             const RenderOptions now = method.budget(step).options, before = method.budget(step - 1).options;
             const std::string& flags = method.budget(step).flags;
-            if (now.method == Method::surface) {  // a ladder of time
+            if (now.method == MethodName::surface) {  // a ladder of time
                 EXPECT_GT(now.seconds, before.seconds);
                 EXPECT_NE(flags.find("--method surface --time "), std::string::npos) << flags;
                 EXPECT_EQ(std::stod(flags.substr(flags.rfind(' '))), now.seconds) << flags;
