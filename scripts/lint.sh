@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-cmake --preset release -DPENCIL_TESTS=ON >/dev/null
+cmake --preset release -DPENCIL_TESTS=ON -DPENCIL_WERROR=ON >/dev/null
 if (($# == 0)); then
     set -- "$PWD/(host|tests)/"
 fi

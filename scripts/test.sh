@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 scripts/setup.sh
-cmake --preset release -DPENCIL_TESTS=ON
+cmake --preset release -DPENCIL_TESTS=ON -DPENCIL_WERROR=ON
 cmake --build --preset release
 
 # A cache of kernels in the build tree: no state of the user's decides a result, and a second run is quick.

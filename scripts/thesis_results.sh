@@ -5,6 +5,6 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 scripts/setup.sh
-cmake --preset release -DPENCIL_TESTS=ON
+cmake --preset release -DPENCIL_TESTS=ON -DPENCIL_WERROR=ON
 cmake --build --preset release --target pencil map_study
 /usr/bin/python3 scripts/thesis/results.py "$@" # the Python that scripts/setup.sh installs matplotlib for

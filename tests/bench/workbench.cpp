@@ -16,6 +16,7 @@ std::vector<LightForm> sampled(const Scene& scene) { return choose_light_forms(s
 
 RenderOptions options() {
     RenderOptions options;
+    options.method = MethodName::line;
     options.pencils = sizes().pencils;
     options.map = sizes().map;
     options.film_samples = sizes().film_samples;
@@ -33,7 +34,7 @@ LightSet make_lights(Kernels& kernels, const DeviceScene& on_device, const Scene
 Workbench::Workbench()
     : scene(cornell_box()),
       flat(flatten(scene, sampled(scene), sizes().film, sizes().film)),
-      kernels(device(), detect_features(flat, options())),
+      kernels(device(), scene_features(flat, options().film_samples)),
       on_device(device(), flat),
       film(kernels, on_device, flat.camera, scene.sensor.filter, Turn()),
       lights(make_lights(kernels, on_device, scene, flat)) {

@@ -17,6 +17,7 @@
 #include "device/pencil_set.h"
 #include "visibility/rasterize_octahedral.h"
 #include "device/surfels.h"
+#include "line/weights.h"
 
 namespace pencil::test {
 
@@ -105,7 +106,7 @@ inline TestScene room_scene(std::uint32_t seed, int things) {
 inline Kernels make_kernels(bool smooth = false, Weights weights = Weights::dpdf, int cell_grid = 0, int film_samples = 4) {
     Features features;
     features.smooth = smooth;
-    features.weights = weights;
+    features.weights = kernel_weights(weights);
     features.cell_grid = cell_grid;
     features.film_samples = film_samples;
     return Kernels(device(), features);

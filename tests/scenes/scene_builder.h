@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "scenes/scene_parts.h"
-#include "render/render.h"
+#include "render/render_session.h"
 
 namespace pencil::test {
 
@@ -18,8 +18,16 @@ inline std::shared_ptr<Device> device() {
     return opened;
 }
 
-inline RenderResult render_layers(const Scene& scene, const RenderOptions& options, const std::vector<std::string>& aovs = {}) {
-    return render(scene, options, aovs, device());
+/// Options of the line method, which most laws are about.
+inline RenderOptions line_options() {
+    RenderOptions options;
+    options.method = MethodName::line;
+    return options;
+}
+
+inline RenderResult render_layers(const Scene& scene, RenderOptions options, const std::vector<std::string>& aovs = {}) {
+    options.aovs = aovs;
+    return render(scene, options, device());
 }
 
 inline const Layer& layer(const RenderResult& result, const std::string& name) { return layer(result.layers, name); }

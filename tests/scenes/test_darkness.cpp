@@ -10,7 +10,7 @@ using namespace pencil::test;
 const Surface white{glm::vec3(0.8F), glm::vec3(0.0F), false};
 
 RenderOptions options(Initial initial) {
-    RenderOptions out;
+    RenderOptions out = line_options();
     out.initial = initial;
     out.pencils = 64;
     out.map = 32;

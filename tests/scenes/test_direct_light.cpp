@@ -11,7 +11,7 @@ constexpr double albedo = 0.75;
 const Surface grey{glm::vec3(0.75F), glm::vec3(0.0F), false};
 
 RenderOptions direct_options() {
-    RenderOptions options;
+    RenderOptions options = line_options();
     options.initial = Initial::direct;
     options.bounces = 1;
     options.pencils = 8;

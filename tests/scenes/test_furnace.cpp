@@ -11,7 +11,7 @@ using namespace pencil::test;
 constexpr double promised = 1e-3;
 
 RenderOptions emission_options() {
-    RenderOptions options;
+    RenderOptions options = line_options();
     options.initial = Initial::emission;
     options.pencils = 64;
     options.map = 32;

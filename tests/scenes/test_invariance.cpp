@@ -38,7 +38,7 @@ Scene room(double scale = 1.0, const dvec3& offset = dvec3(0.0), bool reversed =
 }
 
 RenderOptions options() {
-    RenderOptions out;
+    RenderOptions out = line_options();
     out.pencils = 32;
     out.map = 32;
     out.bounces = 3;

@@ -11,7 +11,7 @@ using namespace pencil;
 using namespace pencil::test;
 
 std::array<double, 5> ratios(Weights weights, int pencils, int map, std::uint64_t seed) {
-    RenderOptions options;
+    RenderOptions options = line_options();
     options.weights = weights;
     options.pencils = pencils;
     options.seed = seed;

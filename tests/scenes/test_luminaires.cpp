@@ -15,7 +15,7 @@ double mean(const Layer& image) {
 
 TEST(Luminaires, PolygonsByLambertsFormula) {
     for (const Luminaire& luminaire : luminaires()) {
-        RenderOptions options;
+        RenderOptions options = line_options();
         options.initial = Initial::direct;
         options.bounces = 1;
         options.map = 16;  // nothing stands between floor and luminaire
@@ -28,7 +28,7 @@ TEST(Luminaires, PolygonsByLambertsFormula) {
 
 TEST(Luminaires, Cie171Test58) {
     for (const double albedo : {0.2, 0.5, 0.8, 0.9, 0.95}) {
-        RenderOptions options;
+        RenderOptions options = line_options();
         options.tolerance = 1e-4;
         const double wall = mean(layer(render_layers(cie_cube(albedo), options), "")),
                      expected = albedo / ref::pi * cie_cube_answer(albedo);

@@ -27,7 +27,7 @@ public:
         : scene_(scene),
           forms_(scene.shapes.size(), LightForm::samples),
           flat_(flatten(scene_, forms_, 0, 0)),
-          kernels_(device(), detect_features(flat_, RenderOptions())),
+          kernels_(device(), scene_features(flat_, RenderOptions().film_samples)),
           on_device_(device(), flat_, build_bvh(flat_.triangles)),
           film_(kernels_, on_device_, flat_.camera, scene_.sensor.filter, Turn()),
           source_(make_candidate_source({kernels_, on_device_, scene_, flat_, seed}, mixture)) {
@@ -212,7 +212,7 @@ TEST(Placement, WrongMixturesAreRefused) {
 }
 
 TEST(Placement, AnalyticWeightsNeedCentresSpreadEvenly) {
-    RenderOptions options;
+    RenderOptions options = line_options();
     options.weights = Weights::analytic;
     options.pencils = 4;
     options.placement = {Placement::lds, Placement::camera_rays};
@@ -289,7 +289,7 @@ TEST_P(EveryPlacement, SeedAndSetDecideTheCentres) {
 }
 
 RenderOptions small(const std::vector<Placement>& placement, Initial initial) {
-    RenderOptions options;
+    RenderOptions options = line_options();
     options.placement = placement;
     options.initial = initial;
     options.pencils = 48;

@@ -31,7 +31,7 @@ Error over_seeds(int seeds, OfSeed error) {
 }
 
 RenderOptions options(const Mixture& mixture, int pencils, std::uint64_t seed) {
-    RenderOptions o;
+    RenderOptions o = line_options();
     o.placement = mixture;
     o.pencils = pencils;
     o.seed = seed;

@@ -15,7 +15,7 @@ using namespace pencil::test;
 
 RenderOptions surface_options(Initial initial) {
     RenderOptions options;
-    options.method = Method::surface;
+    options.method = MethodName::surface;
     options.initial = initial;
     options.pencils = 300;
     options.film_samples = 4;
@@ -139,7 +139,7 @@ TEST(Surface, BouncesKeepTheLight) {
     reference.width = reference.height = size;
     const dvec3 truth = mean_of_quarter(trace_paths(scene, reference).layers.front(), size);
     RenderOptions options;
-    options.method = Method::surface;
+    options.method = MethodName::surface;
     options.pencils = 800;
     options.width = options.height = size;
     options.target_error = 1.5e-4;

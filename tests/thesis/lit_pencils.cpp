@@ -21,6 +21,7 @@ constexpr int source_map = 128;  // finer than the maps compared, so that their 
 
 RenderOptions render_options(const LookUpOptions& options) {
     RenderOptions out;
+    out.method = MethodName::line;
     out.pencils = options.pencils;
     out.map = source_map;
     return out;
@@ -38,7 +39,7 @@ LitPencils::LitPencils(const std::shared_ptr<Device>& device, const LookUpOption
     : scene_(load_scene(options.scene)),
       forms_(choose_light_forms(scene_, true, false)),
       flat_(flatten(scene_, forms_, options.resolution, options.resolution)),
-      kernels_(device, detect_features(flat_, RenderOptions())),
+      kernels_(device, scene_features(flat_, RenderOptions().film_samples)),
       device_scene_(device, flat_),
       film_(kernels_, device_scene_, flat_.camera, scene_.sensor.filter, Turn()) {
     make_pencils(device, options);
