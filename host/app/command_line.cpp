@@ -34,13 +34,12 @@ void read(const Option& row, const std::string& text) {
 
 std::string help_text(const Option& row) { return row.help + (row.accepted.empty() ? "" : " [" + row.accepted + "]"); }
 
-std::string help_of(const Option& row) {
-    return (row.method.empty() ? "" : "Method " + row.method + ": ") + help_text(row);
-}
+std::string help_of(const Option& row) { return (row.method.empty() ? "" : "Method " + row.method + ": ") + help_text(row); }
 
 CLI::Option* add(CLI::App& app, const Option& row) {
     if (row.flag.front() == '-' && row.value.empty())
-        return app.add_flag_callback(row.flag, [&row] { read(row, ""); }, help_of(row));
+        return app.add_flag_callback(
+            row.flag, [&row] { read(row, ""); }, help_of(row));
     const auto read_all = [&row](const std::vector<std::string>& texts) {
         for (const std::string& text : texts) read(row, text);
     };

@@ -10,11 +10,11 @@
 
 #include "app/commands.h"
 #include "app/message.h"
-#include "options/option_values.h"
 #include "app/units.h"
 #include "compare/compare_images.h"
 #include "compare/difference_image.h"
 #include "compare/image_layers.h"
+#include "options/option_values.h"
 #include "util/output_file.h"
 
 namespace pencil {

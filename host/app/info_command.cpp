@@ -7,8 +7,8 @@
 
 #include "app/commands.h"
 #include "app/message.h"
-#include "options/option_values.h"
 #include "app/units.h"
+#include "options/option_values.h"
 #include "scene/mitsuba/load_scene.h"
 
 namespace pencil {

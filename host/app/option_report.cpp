@@ -12,8 +12,10 @@ using Json = nlohmann::ordered_json;
 Json value_json(const OptionValue& value) {
     return std::visit(
         [](const auto& v) -> Json {
-            if constexpr (std::is_same_v<std::decay_t<decltype(v)>, std::monostate>) return {};
-            else return v;
+            if constexpr (std::is_same_v<std::decay_t<decltype(v)>, std::monostate>)
+                return {};
+            else
+                return v;
         },
         value);
 }

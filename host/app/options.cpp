@@ -32,7 +32,12 @@ Option switch_row(const std::string& flag, bool& value, const std::string& help)
 }
 
 Option define_row(SceneDefines& defines) {
-    Option row{"-D,--define", "NAME=VALUE", "", "", "Replaces the value of a <default> of the scene; may be repeated", "",
+    Option row{"-D,--define",
+               "NAME=VALUE",
+               "",
+               "",
+               "Replaces the value of a <default> of the scene; may be repeated",
+               "",
                [&defines](const std::string& text) {
                    const auto [name, value] = parse_define(text);
                    defines[name] = value;
@@ -47,22 +52,38 @@ Rows scene_rows(std::filesystem::path& scene, SceneDefines& defines) {
 }
 
 Option output_row(std::vector<std::filesystem::path>& outputs) {
-    Option row{"-o,--output", "FILE", "", "", "Image to write: .exr (all layers, linear float) or .png (exposure 1, sRGB); may be repeated", "",
-               [&outputs](const std::string& text) { outputs.emplace_back(text); }, {}};
+    Option row{"-o,--output",
+               "FILE",
+               "",
+               "",
+               "Image to write: .exr (all layers, linear float) or .png (exposure 1, sRGB); may be repeated",
+               "",
+               [&outputs](const std::string& text) { outputs.emplace_back(text); },
+               {}};
     row.repeated = true;
     return required(row);
 }
 
 Option device_row(std::string& device) {
-    return {"--device", "D", "", "$PENCIL_DEVICE, else a GPU, else a CPU", "Number from `pencil devices`, part of a name, cpu or gpu", "",
-            [&device](const std::string& text) { device = text; }, {}};
+    return {"--device",
+            "D",
+            "",
+            "$PENCIL_DEVICE, else a GPU, else a CPU",
+            "Number from `pencil devices`, part of a name, cpu or gpu",
+            "",
+            [&device](const std::string& text) { device = text; },
+            {}};
 }
 
 Option quiet_row(bool& quiet) { return switch_row("--quiet", quiet, "No progress, no summary; warnings and errors stay"); }
 
 Option depth_row(int& depth) {
-    return {"--max-depth", "K", "auto, 1 to " + std::to_string(most_depth), "the scene's max_depth",
-            "Longest paths: 1 emission only, 2 with direct light; auto: no limit", "",
+    return {"--max-depth",
+            "K",
+            "auto, 1 to " + std::to_string(most_depth),
+            "the scene's max_depth",
+            "Longest paths: 1 emission only, 2 with direct light; auto: no limit",
+            "",
             [&depth](const std::string& text) { depth = text == "auto" ? -1 : static_cast<int>(parse_integer(text, 1, most_depth)); },
             [&depth] { return depth < 0 ? OptionValue(std::string("auto")) : OptionValue(std::int64_t{depth}); }};
 }
@@ -71,8 +92,9 @@ Option depth_row(int& depth) {
 Rows budget_rows(ReferenceOptions& o) {
     Option paths = integer_option("--spp", o.spp, 1, most_paths, "Camera paths per pixel");
     paths.show = [&o] { return o.seconds > 0 ? OptionValue() : OptionValue(std::int64_t{o.spp}); };
-    Option time = real_option("--time", o.seconds, 0, false, longest_tracing,
-                              "Trace for so many seconds instead, to within half a path per pixel and at least one; the BVH's build comes on top");
+    Option time =
+        real_option("--time", o.seconds, 0, false, longest_tracing,
+                    "Trace for so many seconds instead, to within half a path per pixel and at least one; the BVH's build comes on top");
     time.value = "S";
     time.standard = "";
     time.show = [&o] { return o.seconds > 0 ? OptionValue(o.seconds) : OptionValue(); };
@@ -91,9 +113,9 @@ std::vector<Option> option_table(RenderCommand& command) {
     Rows rows = scene_rows(command.scene, command.defines);
     rows.push_back(output_row(command.outputs));
     append(rows, render_option_table(command.options));
-    append(rows, {device_row(command.device), path_row("--stats", "FILE", command.stats, "Write times, launches, residual and decisions as JSON"),
-                  switch_row("--explain", command.explain, "Print what was decided and what was left out, and why"),
-                  quiet_row(command.quiet)});
+    append(rows,
+           {device_row(command.device), path_row("--stats", "FILE", command.stats, "Write times, launches, residual and decisions as JSON"),
+            switch_row("--explain", command.explain, "Print what was decided and what was left out, and why"), quiet_row(command.quiet)});
     return rows;
 }
 
@@ -102,10 +124,10 @@ std::vector<Option> option_table(ReferenceCommand& command) {
     Rows rows = scene_rows(command.scene, command.defines);
     rows.push_back(output_row(command.outputs));
     append(rows, budget_rows(o));
-    append(rows, {depth_row(o.max_depth), resolution_option(o.width, o.height, "the scene's"),
-                  list_option("--aov", command.aovs, reference_layers(), "all but variance", "Layers beside the beauty, separated by commas"),
-                  seed_option(o.seed), path_row("--stats", "FILE", command.stats, "Write times and counts as JSON"),
-                  quiet_row(command.quiet)});
+    append(rows,
+           {depth_row(o.max_depth), resolution_option(o.width, o.height, "the scene's"),
+            list_option("--aov", command.aovs, reference_layers(), "all but variance", "Layers beside the beauty, separated by commas"),
+            seed_option(o.seed), path_row("--stats", "FILE", command.stats, "Write times and counts as JSON"), quiet_row(command.quiet)});
     return rows;
 }
 
@@ -121,7 +143,8 @@ std::vector<Option> option_table(CompareCommand& command) {
 std::vector<Option> option_table(ConvergeCommand& command) {
     Rows rows = scene_rows(command.scene, command.defines);
     rows.push_back(required(path_row("-o,--output", "DIR", command.folder, "Folder for the results, made if absent")));
-    Option reference = path_row("--reference", "FILE", command.reference, "Image taken as the truth, for example a long run of pencil reference");
+    Option reference =
+        path_row("--reference", "FILE", command.reference, "Image taken as the truth, for example a long run of pencil reference");
     reference.standard = "made by the path tracer";
     Option longest = real_option("--longest", command.longest, 0, false, longest_run,
                                  "Seconds: the path tracer's largest budget; the budgets of a method grow until a run takes that long");
@@ -139,8 +162,14 @@ std::vector<Option> option_table(DevicesCommand& command) {
 
 std::vector<Option> option_table(DocumentCommand& command) {
     const std::vector<std::string> formats{"markdown", "man"};
-    return {required({"FORMAT", "", join(formats), "", "What to write to the standard output", "",
-                      [&command, formats](const std::string& text) { command.format = formats[parse_choice(text, formats)]; }, {}})};
+    return {required({"FORMAT",
+                      "",
+                      join(formats),
+                      "",
+                      "What to write to the standard output",
+                      "",
+                      [&command, formats](const std::string& text) { command.format = formats[parse_choice(text, formats)]; },
+                      {}})};
 }
 
 void settle(RenderCommand& command, const std::vector<Option>& table, const Given& given) {

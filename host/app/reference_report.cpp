@@ -8,9 +8,9 @@
 #include "app/message.h"
 #include "app/option_report.h"
 #include "app/options.h"
-#include "options/option_values.h"
 #include "app/run_report.h"
 #include "app/units.h"
+#include "options/option_values.h"
 #include "util/output_file.h"
 
 namespace pencil {

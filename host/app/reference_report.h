@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app/commands.h"
-#include "reference/path_tracer.h"
 #include "image/write_image.h"
+#include "reference/path_tracer.h"
 
 namespace pencil {
 

@@ -9,9 +9,9 @@
 
 #include "app/message.h"
 #include "app/option_report.h"
+#include "app/units.h"
 #include "options/option_values.h"
 #include "options/render_option_table.h"
-#include "app/units.h"
 
 namespace pencil {
 namespace {

@@ -15,6 +15,18 @@ double BounceSeries::last_share() const {
     return share;
 }
 
+bool BounceSeries::diverges() const {
+    if (means_.empty()) return false;
+    for (int c = 0; c < 3; ++c) {
+        if (!std::isfinite(means_.back()[c])) return true;
+        std::size_t grown = 0;
+        for (std::size_t k = means_.size() - 1; k > 0 && means_[k - 1][c] > 0 && means_[k][c] > least_growth * means_[k - 1][c]; --k)
+            ++grown;
+        if (grown >= growing_steps) return true;
+    }
+    return false;
+}
+
 glm::dvec3 BounceSeries::ratio() const {
     glm::dvec3 r(0);
     if (means_.size() < 2) return r;

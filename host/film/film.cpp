@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "shared/film.h"
 #include "film/rasterize_film.h"
+#include "shared/film.h"
 
 namespace pencil {
 
@@ -66,6 +66,7 @@ void Film::classify(Kernels& kernels, const DeviceScene& scene, int first_row, i
 /// Running sum of the counts, on the host: it is one byte per pixel, and the total is needed here to allocate the surfels.
 int Film::number_surfels(const std::shared_ptr<Device>& device) {
     const std::vector<unsigned char> counts = counts_.read();
+    has_empty_ = std::any_of(counts.begin(), counts.end(), [](unsigned char count) { return (count & FILM_HAS_EMPTY) != 0; });
     std::vector<int> first(counts.size());
     int next = 0;
     const int width = camera_.width, height = camera_.height;
@@ -95,6 +96,11 @@ std::vector<float> Film::resolve(Kernels& kernels, const Buffer<float>& values, 
               camera_.height, image)
         .run(pixel_count(camera_), "resolve film");
     return image.read();
+}
+
+std::vector<float> Film::cover(Kernels& kernels) const {
+    const std::vector<float> ones(static_cast<std::size_t>(surfels_.capacity) * 3, 1.0F);
+    return resolve(kernels, Buffer<float>(kernels.device(), ones, "ones for the covered share"));
 }
 
 }  // namespace pencil

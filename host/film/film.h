@@ -3,11 +3,11 @@
 
 #include <vector>
 
-#include "pencils/film_filter.h"
 #include "device/device_scene.h"
 #include "device/features.h"
 #include "device/surfels.h"
 #include "device/turn.h"
+#include "pencils/film_filter.h"
 
 namespace pencil {
 
@@ -25,6 +25,10 @@ public:
 
     /// Pixels (rgb, rows from the top) of three consecutive fields of values[field][surfels().capacity]; launcher of resolve_film.
     std::vector<float> resolve(Kernels& kernels, const Buffer<float>& values, int first_field = 0) const;
+    /// The filter's share of each pixel that shows a surface, three times over.
+    std::vector<float> cover(Kernels& kernels) const;
+    /// True if a visibility sample shows nothing.
+    bool has_empty() const { return has_empty_; }
 
 private:
     void classify(Kernels& kernels, const DeviceScene& scene, int first_row, int rows);
@@ -35,6 +39,7 @@ private:
     int samples_;
     int strip_rows_;
     int reach_ = 0;
+    bool has_empty_ = false;
     Buffer<glm::vec2> offsets_;
     Buffer<Hit> hits_;  // of one strip, released after construction
     Buffer<unsigned char> slots_, counts_;

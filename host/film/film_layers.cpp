@@ -10,19 +10,23 @@ namespace pencil {
 
 namespace {
 
-/// World positions of pixels, and distances from the camera along the pixel's ray; empty pixels keep 0.
-void to_world(const FlatScene& flat, const std::vector<float>& coverage, std::vector<float>& position, std::vector<float>& depth) {
+/// Pixels with less of a surface than this have no position: filters with negative lobes would divide by next to nothing.
+constexpr float least_cover = 1e-3F;
+
+/// World positions of pixels, and distances from the camera along the pixel's ray; empty pixels keep 0. The filter also averages over what
+/// is empty: `cover`, its share of each pixel that shows a surface (rgb alike; empty: all of all), scales positions back to the covered
+/// part.
+void to_world(const FlatScene& flat, const std::vector<float>& cover, std::vector<float>& position, std::vector<float>& depth) {
     const glm::dvec3 eye = flat.normalisation.to_world(glm::dvec3(flat.camera.origin));
     depth.assign(position.size() / 3, 0.0F);
     for (std::size_t i = 0; i < depth.size(); ++i) {
-        // The filter also averages over what is empty: positions are scaled back to the covered part.
-        const float covered =
-            coverage[3 * i] * coverage[3 * i] + coverage[3 * i + 1] * coverage[3 * i + 1] + coverage[3 * i + 2] * coverage[3 * i + 2];
-        if (covered == 0.0F) {
+        const float covered = cover.empty() ? 1.0F : cover[3 * i];
+        glm::dvec3 p(position[3 * i], position[3 * i + 1], position[3 * i + 2]);
+        if (covered < least_cover) {
             for (std::size_t c = 0; c < 3; ++c) position[3 * i + c] = 0.0F;
             continue;
         }
-        const glm::dvec3 p = flat.normalisation.to_world(glm::dvec3(position[3 * i], position[3 * i + 1], position[3 * i + 2]));
+        p = flat.normalisation.to_world(covered == 1.0F ? p : p / static_cast<double>(covered));
         for (int c = 0; c < 3; ++c) position[3 * i + static_cast<std::size_t>(c)] = static_cast<float>(p[c]);
         depth[i] = static_cast<float>(glm::length(p - eye));
     }
@@ -48,15 +52,13 @@ void FilmLayers::add_surfaces(Kernels& kernels, const DeviceScene& scene, const 
     beauty_ = film.resolve(kernels, emission);
     if (wants("emission")) light_.push_back({"emission", 3, beauty_});
     if (wants("albedo")) surface_.push_back({"albedo", 3, film.resolve(kernels, surfels.data, SURFEL_ALBEDO_R)});
-    if (!wants("normal") && !wants("depth") && !wants("position")) return;
-    std::vector<float> normal = film.resolve(kernels, surfels.data, SURFEL_NX);
     if (wants("depth") || wants("position")) {
         std::vector<float> position = film.resolve(kernels, surfels.data, SURFEL_X), depth;
-        to_world(flat, normal, position, depth);
+        to_world(flat, film.has_empty() ? film.cover(kernels) : std::vector<float>(), position, depth);
         if (wants("depth")) surface_.push_back({"depth", 1, std::move(depth)});
         if (wants("position")) surface_.push_back({"position", 3, std::move(position)});
     }
-    if (wants("normal")) surface_.push_back({"normal", 3, std::move(normal)});
+    if (wants("normal")) surface_.push_back({"normal", 3, film.resolve(kernels, surfels.data, SURFEL_NX)});
 }
 
 void FilmLayers::add_to_beauty(const std::vector<float>& pixels) {
@@ -65,8 +67,7 @@ void FilmLayers::add_to_beauty(const std::vector<float>& pixels) {
 
 void FilmLayers::add_bounce(int order, std::vector<float> pixels) {
     add_to_beauty(pixels);
-    if (wants(order == 1 ? "direct" : "bounces"))
-        light_.push_back({order == indirect ? indirect_layer : bounce_layer(order), 3, pixels});
+    if (wants(order == 1 ? "direct" : "bounces")) light_.push_back({order == indirect ? indirect_layer : bounce_layer(order), 3, pixels});
     last_bounce_ = std::move(pixels);
     last_order_ = order;
 }

@@ -8,6 +8,7 @@
 #include "device/device_scene.h"
 #include "film/film.h"
 #include "options/layer.h"
+#include "pencils/flat_scene.h"
 
 namespace pencil {
 

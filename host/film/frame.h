@@ -17,8 +17,8 @@ public:
     /// Makes film geometry, light samples with their maps of width `light_map` (0: none), and the surface layers.
     Frame(RenderContext& context, const std::vector<std::string>& aovs, int light_samples, int light_map, const Turn& turn);
 
-    /// Direct light of the light samples goes into outgoing(), and is finished as order 1 unless maps carry more of it. False if nothing can
-    /// be added: no light, or no reflections wanted.
+    /// Direct light of the light samples goes into outgoing(), and is finished as order 1 unless maps carry more of it. False if nothing
+    /// can be added: no light, or no reflections wanted.
     bool add_direct();
 
     /// Adds what outgoing() holds as the reflection of this order to the layers, and clears it. `pencils`: size of the set that carried it.

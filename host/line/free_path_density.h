@@ -2,8 +2,8 @@
 #pragma once
 
 #include "device/features.h"
-#include "line/free_space.h"
 #include "device/pencil_set.h"
+#include "line/free_space.h"
 
 namespace pencil {
 

@@ -6,11 +6,11 @@
 #include <set>
 #include <vector>
 
-#include "line/placement/candidate_source.h"
 #include "device/device_scene.h"
 #include "device/features.h"
 #include "device/pencil_set.h"
 #include "device/surfels.h"
+#include "line/placement/candidate_source.h"
 
 namespace pencil {
 

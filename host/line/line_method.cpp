@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "line/planned_maps.h"
 #include "line/project_pencils.h"
@@ -67,8 +68,8 @@ void LineMethod::find_rooms() {
         candidates_ = make_candidate_source({context_.kernels, context_.device_scene, context_.scene, context_.flat, context_.options.seed},
                                             context_.options.placement);
     });
-    solver_ = std::make_unique<PencilSolver>(context_.kernels, context_.device_scene, *free_space_, *candidates_, lights,
-                                             context_.options, context_.clock);
+    solver_ = std::make_unique<PencilSolver>(context_.kernels, context_.device_scene, *free_space_, *candidates_, lights, context_.options,
+                                             context_.clock);
 }
 
 void LineMethod::make_first_set() {
@@ -102,6 +103,12 @@ void LineMethod::project() {
 /// True if the tolerance ends the series; warns and ends a series that does not decrease.
 bool LineMethod::converged() {
     if (series_.last_share() < context_.options.tolerance) return true;
+    if (series_.diverges()) {
+        context_.stats.warnings.push_back(
+            "each reflection is brighter than the last: the series has no sum with these weights; stopped after " +
+            std::to_string(projected_) + ", the image is not that of the scene");
+        return true;
+    }
     if (projected_ <= most_bounces) return false;
     context_.stats.warnings.push_back("bounces do not decrease (albedo near 1 in a closed scene): stopped after " +
                                       std::to_string(most_bounces) + ", not converged");
@@ -128,6 +135,10 @@ void LineMethod::count_blind() {
 /// An endless series gets its geometric tail.
 void LineMethod::close_series() {
     if (context_.options.bounces >= 0 || series_.steps() <= 1) return;
+    if (series_.diverges()) {
+        context_.stats.residual = std::numeric_limits<double>::infinity();
+        return;
+    }
     context_.stats.tail_closed = true;
     context_.stats.residual = frame_->layers().close_series(series_.tail_factor());
 }
@@ -137,15 +148,14 @@ std::vector<Layer> LineMethod::take() { return frame_ ? frame_->take_layers() : 
 
 std::vector<std::string> LineMethod::explain() const {
     const RenderOptions& options = context_.options;
-    std::vector<std::string> lines{
-        explain_weights(options.weights, cell_grid(options.pencils)),
-        options.iterate == Iterate::fixed ? "iteration: one fixed set; its geometry maps and weights are made once"
-                                          : "iteration: a new, smaller set for each bounce"};
+    std::vector<std::string> lines{explain_weights(options.weights, cell_grid(options.pencils)),
+                                   options.iterate == Iterate::fixed
+                                       ? "iteration: one fixed set; its geometry maps and weights are made once"
+                                       : "iteration: a new, smaller set for each bounce"};
     if (options.bounces == 1) lines.push_back("left out: all pencil sets that do not carry direct light (one reflection)");
     if (projected_ == 0) return lines;
     std::string rooms;
-    for (int shape : free_space_->rooms())
-        rooms += (rooms.empty() ? "" : ", ") + context_.scene.shapes[static_cast<std::size_t>(shape)].id;
+    for (int shape : free_space_->rooms()) rooms += (rooms.empty() ? "" : ", ") + context_.scene.shapes[static_cast<std::size_t>(shape)].id;
     lines.push_back("placement: " + candidates_->describe() + "; rejected " + std::to_string(free_space_->in_solids()) +
                     " centres inside solids and " + std::to_string(free_space_->unreached()) +
                     " that see no surface which film, lights or others see" +

@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "film/emit_surfels.h"
+#include "film/light_surfels.h"
 #include "line/estimate_density.h"
 #include "line/free_path_density.h"
 #include "line/gather_surfels.h"
-#include "film/light_surfels.h"
 #include "line/planned_maps.h"
 #include "line/project_pencils.h"
 #include "line/store_radiance.h"

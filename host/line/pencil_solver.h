@@ -1,15 +1,15 @@
 // One pencil set after the other: creation, initial gather, transport. Knows kernels and sets, not the film.
 #pragma once
 
-#include "line/placement/candidate_source.h"
 #include "device/device_scene.h"
 #include "device/features.h"
-#include "line/free_space.h"
 #include "device/pencil_set.h"
-#include "options/render_options.h"
 #include "device/stage_clock.h"
 #include "device/surfels.h"
+#include "line/free_space.h"
+#include "line/placement/candidate_source.h"
 #include "line/weights.h"
+#include "options/render_options.h"
 
 namespace pencil {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "pencils/flat_scene.h"
 #include "options/render_options.h"
+#include "pencils/flat_scene.h"
 #include "visibility/visibility_path.h"
 
 namespace pencil {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "device/features.h"
 #include "pencils/cell_directions.h"
 #include "shared/weights.h"
-#include "device/features.h"
 
 namespace pencil {
 

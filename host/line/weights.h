@@ -6,8 +6,8 @@
 #include <string>
 
 #include "cl/buffer.h"
-#include "shared/types.h"
 #include "options/render_options.h"
+#include "shared/types.h"
 
 namespace pencil {
 

@@ -13,8 +13,8 @@ struct Layer {
     std::vector<float> pixels;
 };
 
-/// What --aov chooses from, in the order of files: "emission", "direct", "bounces" (all that bounce_layer names from order 2 on, "indirect",
-/// and the tail of the series), "albedo", "normal", "depth", "position".
+/// What --aov chooses from, in the order of files: "emission", "direct", "bounces" (all that bounce_layer names from order 2 on,
+/// "indirect", and the tail of the series), "albedo", "normal", "depth", "position".
 const std::vector<std::string>& layer_groups();
 
 /// "direct" for order 1, then "bounce2" and so on.

@@ -29,40 +29,69 @@ std::string header_name(const Option& option) {
     std::string name;
     for (const char c : long_name(option)) {
         const bool begins_word = !name.empty() && name.back() == '-';
-        if (begins_word) name.back() = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-        else name += c;
+        if (begins_word)
+            name.back() = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+        else
+            name += c;
     }
     return name;
 }
 
 Option integer_option(const std::string& flag, int& value, int low, int high, const std::string& help) {
-    return {flag, "N", std::to_string(low) + " to " + std::to_string(high), std::to_string(value), help, "",
+    return {flag,
+            "N",
+            std::to_string(low) + " to " + std::to_string(high),
+            std::to_string(value),
+            help,
+            "",
             [&value, low, high](const std::string& text) { value = static_cast<int>(parse_integer(text, low, high)); },
             [&value] { return OptionValue(std::int64_t{value}); }};
 }
 
 Option real_option(const std::string& flag, double& value, double low, bool low_included, double high, const std::string& help) {
     const std::string accepted = (low_included ? "from " : "above ") + format_real(low) + " to " + format_real(high);
-    return {flag, "X", accepted, format_real(value), help, "",
+    return {flag,
+            "X",
+            accepted,
+            format_real(value),
+            help,
+            "",
             [=, &value](const std::string& text) { value = parse_real(text, low, low_included, high); },
             [&value] { return OptionValue(value); }};
 }
 
 Option resolution_option(int& width, int& height, const std::string& otherwise) {
-    return {"--resolution", "WxH", "", otherwise, "Size of the image in pixels", "",
+    return {"--resolution",
+            "WxH",
+            "",
+            otherwise,
+            "Size of the image in pixels",
+            "",
             [&width, &height](const std::string& text) { std::tie(width, height) = parse_resolution(text); },
             [&width, &height] { return OptionValue(std::to_string(width) + "x" + std::to_string(height)); }};
 }
 
 Option seed_option(std::uint64_t& seed) {
-    return {"--seed", "S", "", std::to_string(seed), "Seed of the random numbers", "",
-            [&seed](const std::string& text) { seed = parse_seed(text); }, [&seed] { return OptionValue(seed); }};
+    return {"--seed",
+            "S",
+            "",
+            std::to_string(seed),
+            "Seed of the random numbers",
+            "",
+            [&seed](const std::string& text) { seed = parse_seed(text); },
+            [&seed] { return OptionValue(seed); }};
 }
 
 Option list_option(const std::string& flag, std::vector<std::string>& chosen, const std::vector<std::string>& known,
                    const std::string& standard, const std::string& help) {
-    return {flag, "A,B", join(known) + ", or all, or none", standard, help, "",
-            [&chosen, known](const std::string& text) { chosen = parse_list(text, known); }, [&chosen] { return OptionValue(chosen); }};
+    return {flag,
+            "A,B",
+            join(known) + ", or all, or none",
+            standard,
+            help,
+            "",
+            [&chosen, known](const std::string& text) { chosen = parse_list(text, known); },
+            [&chosen] { return OptionValue(chosen); }};
 }
 
 }  // namespace pencil

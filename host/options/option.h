@@ -16,12 +16,12 @@ namespace pencil {
 using OptionValue = std::variant<std::monostate, std::int64_t, std::uint64_t, double, std::string, std::vector<std::string>>;
 
 struct Option {
-    std::string flag;      // "--light-samples", "-o,--output", or "SCENE" for a positional one
-    std::string value;     // what stands for the value in help, "N"; empty for a switch
-    std::string accepted;  // range or words: "1 to 1048576", "direct, emission, auto"; may be empty
-    std::string standard;  // the default as text; may be empty
-    std::string help;      // one sentence without a full stop
-    std::string method;    // the only method that knows it, empty: all
+    std::string flag;                              // "--light-samples", "-o,--output", or "SCENE" for a positional one
+    std::string value;                             // what stands for the value in help, "N"; empty for a switch
+    std::string accepted;                          // range or words: "1 to 1048576", "direct, emission, auto"; may be empty
+    std::string standard;                          // the default as text; may be empty
+    std::string help;                              // one sentence without a full stop
+    std::string method;                            // the only method that knows it, empty: all
     std::function<void(const std::string&)> read;  // throws std::invalid_argument, which completes "--flag: "; a switch reads ""
     std::function<OptionValue()> show;             // what it is now; empty: not part of --stats and image headers
     bool required = false, repeated = false;
@@ -45,7 +45,12 @@ Option list_option(const std::string& flag, std::vector<std::string>& chosen, co
 template <typename Enum>
 Option word_option(const std::string& flag, Enum& value, const std::vector<std::string>& words, const std::string& help) {
     const auto word = [&value, words] { return words[static_cast<std::size_t>(value)]; };
-    return {flag, "WORD", join(words), word(), help, "",
+    return {flag,
+            "WORD",
+            join(words),
+            word(),
+            help,
+            "",
             [&value, words](const std::string& text) { value = static_cast<Enum>(parse_choice(text, words)); },
             [word] { return OptionValue(word()); }};
 }

@@ -8,8 +8,8 @@ namespace pencil {
 constexpr int depth_of_scene = -2;  // ReferenceOptions::max_depth: the scene's
 
 struct ReferenceOptions {
-    int spp = 256;       // camera paths per pixel; not used if `seconds` is given
-    double seconds = 0;  // budget of tracing (the BVH's build apart), kept to within half a path per pixel; 0: go by `spp`
+    int spp = 256;                   // camera paths per pixel; not used if `seconds` is given
+    double seconds = 0;              // budget of tracing (the BVH's build apart), kept to within half a path per pixel; 0: go by `spp`
     int max_depth = depth_of_scene;  // 1 is emission, 2 direct light, -1 no limit
     int width = 0, height = 0;       // 0: the scene's film size [pixels]
     std::uint64_t seed = 0;

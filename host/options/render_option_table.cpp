@@ -18,8 +18,8 @@ constexpr int map_step = 8, largest_map = 1024;
 
 /// In the order of the enumerations.
 const std::vector<std::string> methods{"surface", "line"}, initials{"direct", "emission", "auto"},
-    placements{"random", "lds", "near-surface", "light-rays", "camera-rays", "profile"}, weightings{"dpdf", "voronoi", "analytic", "thesis"},
-    iterations{"sets", "fixed"};
+    placements{"random", "lds", "near-surface", "light-rays", "camera-rays", "profile"},
+    weightings{"dpdf", "voronoi", "analytic", "thesis"}, iterations{"sets", "fixed"};
 
 Option only(MethodName method, Option option) {
     option.method = to_string(method);
@@ -33,8 +33,12 @@ Option pencils_row(int& pencils) {
 }
 
 Option bounces_row(int& bounces) {
-    return {"--bounces", "K", "auto, 0 to " + std::to_string(most_bounces), "the scene's max_depth",
-            "Reflections at most: 0 emission only, 1 direct light only; auto: until --tolerance", "",
+    return {"--bounces",
+            "K",
+            "auto, 0 to " + std::to_string(most_bounces),
+            "the scene's max_depth",
+            "Reflections at most: 0 emission only, 1 direct light only; auto: until --tolerance",
+            "",
             [&bounces](const std::string& text) {
                 bounces = text == "auto" ? endless_bounces : static_cast<int>(parse_integer(text, 0, most_bounces));
             },
@@ -57,8 +61,12 @@ std::string mixture_text(const std::vector<Placement>& mixture) {
 }
 
 Option placement_row(std::vector<Placement>& mixture) {
-    return {"--placement", "A+B", join(placements), mixture_text(mixture),
-            "Where the pencils lie, or several such sets in equal parts, like lds+near-surface", "",
+    return {"--placement",
+            "A+B",
+            join(placements),
+            mixture_text(mixture),
+            "Where the pencils lie, or several such sets in equal parts, like lds+near-surface",
+            "",
             [&mixture](const std::string& text) {
                 mixture.clear();
                 for (const std::size_t index : parse_mixture(text, placements)) mixture.push_back(static_cast<Placement>(index));
@@ -97,9 +105,10 @@ std::vector<Option> render_option_table(RenderOptions& o) {
         word_option("--initial", o.initial, initials,
                     "Direct light from light samples, or from maps that carry emitted light; auto decides per emitter"),
         only(line, placement_row(o.placement)),
-        only(line, word_option("--weights", o.weights, weightings,
-                               "Quadrature weights of the pencils: by density of directions, by Voronoi cells, by free path; thesis is dpdf "
-                               "with the printed normaliser")),
+        only(line,
+             word_option("--weights", o.weights, weightings,
+                         "Quadrature weights of the pencils: by density of directions, by Voronoi cells, by free path; thesis is dpdf "
+                         "with the printed normaliser")),
         only(line, word_option("--iterate", o.iterate, iterations, "A new, smaller set for each bounce, or one set iterated")),
         resolution_option(o.width, o.height, "the scene's"),
         integer_option("--film-samples", o.film_samples, 1, 64, "Visibility samples of a pixel"),

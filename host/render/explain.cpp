@@ -22,11 +22,11 @@ std::string light_sentence(const RenderContext& context) {
 
 std::vector<std::string> explain(const RenderContext& context) {
     const Device& device = *context.kernels.device();
-    std::vector<std::string> lines{"packets of " + std::to_string(device.packet_width()) + " surfels per work-item on " + device.info().name,
-                                   light_sentence(context)};
+    std::vector<std::string> lines{
+        "packets of " + std::to_string(device.packet_width()) + " surfels per work-item on " + device.info().name, light_sentence(context)};
     if (!context.needs.maps.empty())
-        lines.push_back(explain_paths(context.device_scene.triangle_count, context.needs.maps, static_cast<int>(device.info().compute_units),
-                                      context.prepared));
+        lines.push_back(explain_paths(context.device_scene.triangle_count, context.needs.maps,
+                                      static_cast<int>(device.info().compute_units), context.prepared));
     if (!context.kernels.features().smooth)
         lines.push_back("left out: shading normals (no vertex normals in the scene): buffer, interpolation and side test");
     if (context.options.bounces == 0) lines.push_back("left out: light samples and pencils (emission only)");

@@ -44,8 +44,7 @@ RenderOptions resolve(const RenderOptions& options, const Scene& scene) {
     RenderOptions complete = options;
     if (complete.pencils == pencils_of_method) complete.pencils = standard_pencils(complete.method);
     // max_depth counts the emitter as the first vertex of a path.
-    if (complete.bounces == bounces_of_scene)
-        complete.bounces = scene.max_depth < 0 ? endless_bounces : std::max(scene.max_depth - 1, 0);
+    if (complete.bounces == bounces_of_scene) complete.bounces = scene.max_depth < 0 ? endless_bounces : std::max(scene.max_depth - 1, 0);
     if (complete.width <= 0) {
         complete.width = scene.sensor.width;
         complete.height = scene.sensor.height;
@@ -55,17 +54,20 @@ RenderOptions resolve(const RenderOptions& options, const Scene& scene) {
 
 RenderSession::RenderSession(const Scene& scene, const RenderOptions& options, const std::shared_ptr<Device>& device,
                              const Progress& progress)
-    : context_(std::make_unique<RenderContext>(scene, checked(options, scene, *device), find_method(options.method).needs, device, progress)),
+    : context_(
+          std::make_unique<RenderContext>(scene, checked(options, scene, *device), find_method(options.method).needs, device, progress)),
       method_(find_method(options.method).make(*context_)) {}
 
 RenderSession::~RenderSession() = default;
 
 bool RenderSession::advance() {
+    if (ended_) return false;
     try {
-        return method_->advance() && !context_->clock.stopped();
+        ended_ = !method_->advance() || context_->clock.stopped();
     } catch (const Stopped&) {
-        return false;
+        ended_ = true;
     }
+    return !ended_;
 }
 
 std::vector<Layer> RenderSession::snapshot() const { return method_->snapshot(); }

@@ -27,7 +27,8 @@ public:
     RenderSession(const RenderSession&) = delete;
     RenderSession& operator=(const RenderSession&) = delete;
 
-    /// One step: a pass of the surface method, a bounce of the line method. False if it was the last, or stopped: what is finished stays.
+    /// One step: a pass of the surface method, a bounce of the line method. False if it was the last, or stopped, and ever after: what is
+    /// finished stays.
     bool advance();
     /// The image as far as it has come, beauty first; empty before the first step.
     std::vector<Layer> snapshot() const;
@@ -43,6 +44,7 @@ public:
 private:
     std::unique_ptr<RenderContext> context_;
     std::unique_ptr<Method> method_;
+    bool ended_ = false;
 };
 
 /// All steps of a session.

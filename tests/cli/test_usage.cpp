@@ -1,6 +1,9 @@
 // The command line: help, version, and that every wrong use ends with status 2 and a message that names the option and its range.
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
+
 #include "cli/run_program.h"
 
 namespace pencil_test {
@@ -76,6 +79,15 @@ TEST(Usage, HelpNamesEveryCommandAndOption) {
         EXPECT_NE(render.out.find(word), std::string::npos) << word;
     }
     EXPECT_TRUE(render.err.empty()) << render.err;
+}
+
+TEST(Usage, DocumentationOfOptionsIsTheProgramsOwn) {
+    std::ifstream file(PENCIL_SOURCE_DIR "/docs/options.md");
+    const std::string written((std::istreambuf_iterator<char>(file)), {});
+    EXPECT_EQ(run_pencil({"document", "markdown"}).out, written) << "run scripts/document.sh";
+    const std::string manual = run_pencil({"document", "man"}).out;
+    for (const char* word : {".TH PENCIL 1", "\\-\\-light\\-samples N", "EXIT STATUS"})
+        EXPECT_NE(manual.find(word), std::string::npos) << word;
 }
 
 TEST(Usage, VersionIsOneLine) {

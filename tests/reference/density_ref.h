@@ -9,7 +9,10 @@
 namespace pencil::ref {
 
 /// Exponent of the cosine lobes for n_v visible pencils: the power of two nearest to 5 n_v^(1/3) (in the logarithm), from 1 to 512.
-/// The thesis sets beta by hand; lobes as wide as the spacing of n_v directions need beta ~ n_v^(1/3).
+/// Not the thesis', which makes beta_j proportional to the mean distance of centres or sets it by hand: cos^beta is a kernel of angular
+/// width h ~ beta^(-1/2), and the width that balances bias and variance of a density estimate from n directions on the sphere falls as
+/// n^(-1/6) (Hall, Watson and Cabrera 1987), so beta ~ n^(1/3). Lobes as wide as the spacing of directions, h ~ n^(-1/2), would count
+/// hardly more than themselves.
 inline double lobe_exponent(int visible_pencils) {
     if (visible_pencils <= 0) return 1.0;
     const double exponent = std::round(std::log2(5.0 * std::cbrt(static_cast<double>(visible_pencils))));

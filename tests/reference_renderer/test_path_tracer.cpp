@@ -234,7 +234,7 @@ TEST(PathTracer, OptionsOutOfRangeAreRefused) {
     options.spp = 1;
     options.max_depth = 0;
     refused(options);
-    options.max_depth = -2;
+    options.max_depth = -3;
     refused(options);
     options.max_depth = -1;
     options.threads = -1;
