@@ -1,6 +1,8 @@
 // `pencil compare`: the error of an image against a reference, as a table or as JSON, and where it lies.
-// The keys of the JSON are a contract: `schema` counts incompatible changes. Undefined numbers are null, and so is an infinite PSNR.
+// The keys of the JSON are a contract: `schema` counts incompatible changes. Undefined numbers are null, with the reason in `undefined`;
+// the PSNR of equal images, which is infinite, is null, too.
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -43,6 +45,14 @@ std::vector<std::string> all_warnings(const Comparison& comparison, const Compar
     return warnings;
 }
 
+/// Cells of a table's row after the layer's name.
+std::vector<std::string> row(const Metrics& m) {
+    const auto defined = [](double value, const std::string& text) { return std::isnan(value) ? "-" : text; };
+    return {defined(m.rmse, format_short(m.rmse)), defined(m.rel_mse, format_short(m.rel_mse)),
+            defined(m.mean_ratio, format_fixed(m.mean_ratio, 4)), defined(m.psnr, format_fixed(m.psnr, 2)),
+            m.lab_rms ? defined(*m.lab_rms, format_short(*m.lab_rms)) : "-"};
+}
+
 void print_table(const Comparison& comparison, const CompareCommand& command) {
     const auto cell = [](const std::string& text) { std::cout << std::right << std::setw(12) << text; };
     std::cout << "image      " << printable(command.image.string()) << "\nreference  " << printable(command.reference.string())
@@ -54,13 +64,16 @@ void print_table(const Comparison& comparison, const CompareCommand& command) {
     }
     std::cout << "\n";
     for (const LayerComparison& layer : comparison.layers) {
-        const Metrics& m = layer.metrics;
         std::cout << std::left << std::setw(11) << printable(layer.name) << " ";
-        for (const std::string& text : {format_short(m.rmse), format_short(m.rel_mse), format_fixed(m.mean_ratio, 4),
-                                        format_fixed(m.psnr, 2), m.lab_rms ? format_short(*m.lab_rms) : std::string("-")}) {
+        for (const std::string& text : row(layer.metrics)) {
             cell(text);
         }
         std::cout << "\n";
+    }
+    for (const LayerComparison& layer : comparison.layers) {
+        if (const std::string reason = undefined_reason(layer.metrics); !reason.empty()) {
+            std::cout << "-: not defined in " << printable(layer.name) << ": " << reason << "\n";
+        }
     }
     for (const auto& [file, names] :
          {std::pair(&command.image, &comparison.only_in_image), std::pair(&command.reference, &comparison.only_in_reference)}) {
@@ -80,6 +93,7 @@ Json non_finite_json(const NonFinite& found) {
 
 Json layer_json(const LayerComparison& layer) {
     const Metrics& m = layer.metrics;
+    const std::string reason = undefined_reason(m);
     return {{"name", layer.name},
             {"channels", layer.channels},
             {"rmse", m.rmse},
@@ -89,6 +103,7 @@ Json layer_json(const LayerComparison& layer) {
             {"lab_rms", m.lab_rms ? Json(*m.lab_rms) : Json()},
             {"image_mean", m.image_mean},
             {"reference_mean", m.reference_mean},
+            {"undefined", reason.empty() ? Json() : Json(reason)},
             {"pixels", m.pixels},
             {"excluded_pixels", m.excluded},
             {"image_non_finite", non_finite_json(layer.image)},

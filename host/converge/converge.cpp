@@ -1,5 +1,7 @@
 #include "converge/converge.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <system_error>
 #include <thread>
@@ -17,7 +19,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path points_file(const ConvergeOptions& options) { return options.folder / "points.csv"; }
+fs::path runs_file(const ConvergeOptions& options) { return options.folder / "runs.jsonl"; }
+fs::path table_file(const ConvergeOptions& options) { return options.folder / "points.csv"; }
+
+/// Finished runs. UsageError if an older version, which kept them in points.csv alone, has filled the folder.
+RunLog finished_runs(const ConvergeOptions& options) {
+    if (!fs::exists(runs_file(options)) && fs::exists(table_file(options))) {
+        throw UsageError(
+            fmt::format("{} holds points.csv without runs.jsonl: it was made by an older version of pencil, whose runs cannot "
+                        "be continued; use another folder, or delete this one to measure again",
+                        options.folder.string()));
+    }
+    return read_runs(runs_file(options));
+}
 
 Identity identity_of(const Scene& scene, const ConvergeOptions& options, const DeviceInfo& device) {
     return {{"scene", scene_fingerprint(scene)},
@@ -60,9 +74,14 @@ public:
         : scene_(scene),
           options_(options),
           device_(device),
-          points_(read_points(points_file(options))),
           plan_(with_path_tracer(options), options.seeds, options.longest),
-          progression_(progress, plan_, options.reference.empty() ? truth_seconds(options) : 0) {}
+          progression_(progress, plan_, options.reference.empty() ? truth_seconds(options) : 0) {
+        RunLog log = finished_runs(options);
+        points_ = std::move(log.points);
+        if (!log.warning.empty()) {
+            warnings_.push_back(log.warning);
+        }
+    }
 
     Report run() {
         Report report;
@@ -133,7 +152,7 @@ private:
             if (!point) {
                 return false;
             }
-            append_point(points_file(options_), *point);
+            append_run(runs_file(options_), *point);
             points_.push_back(*point);
         } catch (const MemoryError& error) {
             plan_.end_ladder(task.method, task.budget);
@@ -172,10 +191,10 @@ void prepare_folder(const Scene& scene, const ConvergeOptions& options, const De
     if (error) {
         throw OutputError("cannot write to " + options.folder.string() + ": " + error.message());
     }
-    for (const fs::path& file : {points_file(options), options.folder / "index.html", options.folder / "images/a.exr"}) {
+    for (const fs::path& file : {runs_file(options), table_file(options), options.folder / "index.html", options.folder / "images/a.exr"}) {
         check_writable(file);
     }
-    check_identity(options.folder, identity_of(scene, options, device), read_points(points_file(options)));
+    check_identity(options.folder, identity_of(scene, options, device), finished_runs(options).points);
 }
 
 Report converge(const Scene& scene, const ConvergeOptions& options, const std::shared_ptr<Device>& device, const Progress& progress) {
@@ -183,6 +202,7 @@ Report converge(const Scene& scene, const ConvergeOptions& options, const std::s
     if (report.points.empty()) {
         return report;  // interrupted before the first run was finished
     }
+    write_text(table_file(options), points_csv(report.points));
     write_text(options.folder / "summary.json", summary_json(report));
     const std::string missing = make_plots(options.folder);
     write_text(options.folder / "index.html", page_html(report, missing));

@@ -11,6 +11,10 @@ const std::vector<std::string>& layer_groups() {
 
 std::string bounce_layer(int order) { return order == 1 ? "direct" : "bounce" + std::to_string(order); }
 
+std::string tail_layer(int first_order) { return "tail" + std::to_string(first_order); }
+
+bool is_bounce(const std::string& name) { return name.rfind("bounce", 0) == 0 || name.rfind("tail", 0) == 0; }
+
 bool has_group(const std::vector<std::string>& groups, const std::string& group) {
     return std::find(groups.begin(), groups.end(), group) != groups.end();
 }

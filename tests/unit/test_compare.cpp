@@ -11,6 +11,7 @@
 #include "compare/difference_image.h"
 #include "compare/image_layers.h"
 #include "compare/lab.h"
+#include "options/layer.h"
 #include "util/error.h"
 
 namespace pencil {
@@ -66,6 +67,20 @@ TEST(Metrics, UndefinedIsNotANumber) {
     EXPECT_EQ(measure_rgb(x, black).rmse, 1);
     const std::vector<float> hole{nan, 1, 1};
     EXPECT_TRUE(std::isnan(measure_rgb(hole, x).rmse));
+    EXPECT_EQ(undefined_reason(measure_rgb(x, black)), "the mean of the reference is 0");
+    EXPECT_EQ(undefined_reason(measure_rgb(hole, x)), "no pixel is finite in both images");
+    EXPECT_EQ(undefined_reason(measure_rgb(x, x)), "");
+}
+
+TEST(Metrics, BlackIsEqualToBlack) {
+    const std::vector<float> black{0, 0, 0}, signs{0, -0.0F, 0}, balanced{-1, 0, 1};  // the last: a normal's mean may be 0, too
+    for (const auto& [x, r] : {std::pair(black, black), std::pair(signs, black), std::pair(balanced, balanced)}) {
+        const Metrics m = measure_rgb(x, r, 1.0);
+        EXPECT_EQ(m.rel_mse, 0);
+        EXPECT_EQ(m.mean_ratio, 1);
+        EXPECT_EQ(m.lab_rms, 0);
+        EXPECT_EQ(undefined_reason(m), "");
+    }
 }
 
 TEST(Metrics, PixelsThatAreNotFiniteDoNotCount) {
@@ -183,6 +198,18 @@ TEST(CompareImages, LayersThatBothHave) {
     EXPECT_EQ(result.only_in_image, std::vector<std::string>{"depth"});
     EXPECT_EQ(result.only_in_reference, std::vector<std::string>{"bounce2"});
     EXPECT_THROW(compare_images(image_with({"x.R"}, {1}), image_with({"y.R"}, {1}), "a", "b"), SceneError);
+}
+
+TEST(CompareImages, TailsOfOtherOrdersAreNoPair) {
+    const Image render = image_with({"bounce10.R", tail_layer(11) + ".R"}, {1, 2});
+    const Image reference = image_with({"bounce10.R", "bounce11.R", tail_layer(16) + ".R"}, {1, 1, 1});
+    const Comparison result = compare_images(render, reference, "a.exr", "b.exr");
+    ASSERT_EQ(result.layers.size(), 1U);
+    EXPECT_EQ(result.layers[0].name, "bounce10");
+    EXPECT_EQ(result.only_in_image, std::vector<std::string>{"tail11"});
+    EXPECT_EQ(result.only_in_reference, (std::vector<std::string>{"bounce11", "tail16"}));
+    EXPECT_EQ(compare_images(reference, reference, "b", "b").layers.size(), 3U);
+    EXPECT_TRUE(is_light("tail16"));
 }
 
 TEST(CompareImages, SizesThatDifferAreBothNamed) {

@@ -134,16 +134,19 @@ TEST(Methods, EveryStepIsLargerAndSaysItsOptions) {
 }
 
 TEST_F(ConvergeFolder, PointsComeBack) {
-    const fs::path file = folder / "points.csv";
-    EXPECT_TRUE(read_points(file).empty());
+    const fs::path file = folder / "runs.jsonl";
+    EXPECT_TRUE(read_runs(file).points.empty());
     RunPoint first = point("sets", 3, 18446744073709551615U, 0.1234567890123456789, 1e-7), second = point("thesis", 0, 1, 2.5);
     first.options = R"(--pencils 27, "quoted")";
     first.excluded_pixels = 5;
     first.load = 1.25;
     second.psnr = INFINITY;
-    append_point(file, first);
-    append_point(file, second);
-    const std::vector<RunPoint> points = read_points(file);
+    second.lab_rms = NAN;
+    append_run(file, first);
+    append_run(file, second);
+    const RunLog log = read_runs(file);
+    EXPECT_EQ(log.warning, "");
+    const std::vector<RunPoint>& points = log.points;
     ASSERT_EQ(points.size(), 2U);
     EXPECT_EQ(points[0].seed, first.seed);
     EXPECT_EQ(points[0].seconds, first.seconds);
@@ -153,35 +156,52 @@ TEST_F(ConvergeFolder, PointsComeBack) {
     EXPECT_EQ(points[0].load, 1.25);
     EXPECT_EQ(points[0].stages, first.stages);
     EXPECT_EQ(points[1].psnr, INFINITY);
+    EXPECT_TRUE(std::isnan(points[1].lab_rms));
     EXPECT_EQ(points[1].method, "thesis");
 }
 
-TEST_F(ConvergeFolder, ALineCutByACrashIsDroppedAndWrittenAgain) {
-    const fs::path file = folder / "points.csv";
-    append_point(file, point("sets", 0, 0, 1));
-    const std::string whole = read("points.csv");
-    append_point(file, point("sets", 1, 0, 2));
-    const std::string both = read("points.csv");
+TEST_F(ConvergeFolder, ALineCutByACrashIsIgnoredAndWrittenAgain) {
+    const fs::path file = folder / "runs.jsonl";
+    append_run(file, point("sets", 0, 0, 1));
+    const std::string whole = read("runs.jsonl");
+    append_run(file, point("sets", 1, 0, 2));
+    const std::string both = read("runs.jsonl");
     for (std::size_t length = whole.size(); length < both.size(); ++length) {
-        write("points.csv", both.substr(0, length));
-        ASSERT_EQ(read_points(file).size(), 1U) << length;
-        append_point(file, point("sets", 1, 0, 2));
-        ASSERT_EQ(read("points.csv"), both) << length;
+        const std::string torn = both.substr(0, length);
+        write("runs.jsonl", torn);
+        const RunLog log = read_runs(file);
+        ASSERT_EQ(log.points.size(), 1U) << length;
+        ASSERT_EQ(log.warning.find("runs.jsonl:2: the line was cut off") != std::string::npos, length > whole.size()) << log.warning;
+        ASSERT_EQ(read("runs.jsonl"), torn) << "reading changes nothing";
+        append_run(file, point("sets", 1, 0, 2));
+        ASSERT_EQ(read("runs.jsonl"), both) << length;
     }
-    write("points.csv", whole.substr(0, 10));
-    EXPECT_TRUE(read_points(file).empty());
+    write("runs.jsonl", whole.substr(0, 10));
+    EXPECT_TRUE(read_runs(file).points.empty());
 }
 
-TEST_F(ConvergeFolder, DamagedPointsAreRefusedWithTheirLine) {
-    const fs::path file = folder / "points.csv";
-    append_point(file, point("sets", 0, 0, 1));
-    write("points.csv", read("points.csv") + "sets,one,0\n");
-    try {
-        read_points(file);
-        FAIL() << "accepted";
-    } catch (const OutputError& error) {
-        EXPECT_NE(std::string(error.what()).find("points.csv:3"), std::string::npos) << error.what();
+TEST_F(ConvergeFolder, DamagedRunsAreRefusedWithTheirLine) {
+    const fs::path file = folder / "runs.jsonl";
+    append_run(file, point("sets", 0, 0, 1));
+    const std::string whole = read("runs.jsonl");
+    for (const std::string damage : {"sets,one,0", "{}", "[1]", "", R"({"method":"sets","budget":"one"})"}) {
+        write("runs.jsonl", whole + damage + "\n" + whole);
+        try {
+            read_runs(file);
+            FAIL() << "accepted " << damage;
+        } catch (const OutputError& error) {
+            EXPECT_NE(std::string(error.what()).find("runs.jsonl:2"), std::string::npos) << error.what();
+        }
     }
+}
+
+TEST(PointsTable, OneRowForEachRun) {
+    RunPoint run = point("sets", 3, 1, 0.25, 0.04);
+    run.options = R"(--pencils 27, "quoted")";
+    run.psnr = INFINITY;
+    EXPECT_EQ(points_csv({run}),
+              "method,budget,seed,seconds,build_seconds,rmse,rel_mse,mean_ratio,psnr_db,lab_rms,excluded_pixels,load,options,stages\n"
+              "sets,3,1,0.25,0,0.2,0.04,0.97,inf,0.2,0,0,\"--pencils 27, \"\"quoted\"\"\",\"pencil density=0.0625;direct light=0.125\"\n");
 }
 
 TEST_F(ConvergeFolder, RunsOfAnotherSceneOrReferenceAreNotMixed) {
