@@ -1,6 +1,8 @@
 // `pencil compare`: the error of an image against a reference, as a table or as JSON, and where it lies.
 // The keys of the JSON are a contract: `schema` counts incompatible changes. Undefined numbers are null, with the reason in `undefined`;
 // the PSNR of equal images, which is infinite, is null, too.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
@@ -25,8 +27,8 @@ using Json = nlohmann::ordered_json;
 constexpr int schema = 1;
 
 std::string non_finite_text(const std::string& layer, const std::string& file, const NonFinite& found) {
-    return "layer " + layer + " of " + file + ": " + std::to_string(found.values) + " values are NaN or infinite, the first in channel " +
-           found.channel + " at pixel (" + std::to_string(found.x) + ", " + std::to_string(found.y) + ")";
+    return fmt::format("layer {} of {}: {} values are NaN or infinite, the first in channel {} at pixel ({}, {})", layer, file,
+                       found.values, found.channel, found.x, found.y);
 }
 
 std::vector<std::string> all_warnings(const Comparison& comparison, const CompareCommand& command) {
@@ -38,8 +40,7 @@ std::vector<std::string> all_warnings(const Comparison& comparison, const Compar
             }
         }
         if (layer.metrics.excluded > 0) {
-            warnings.push_back("layer " + layer.name + ": " + std::to_string(layer.metrics.excluded) +
-                               " pixels are left out of all averages");
+            warnings.push_back(fmt::format("layer {}: {} pixels are left out of all averages", layer.name, layer.metrics.excluded));
         }
     }
     return warnings;
