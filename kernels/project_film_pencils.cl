@@ -18,20 +18,20 @@ inline void add_reflected(global const float *surfels, size_t capacity, int i, f
 }
 
 /// launch : 1-D, one work-item per pixel
-/// in     : as cover_film; most_error: reuse_error at which a pencil's weight falls to 0; singles, single_at[capacity]: the pencil that
-///          stands for this surfel alone, -1: none
+/// in     : as cover_film; most_error: reuse_error at which a pencil's weight falls to 0; single_irradiance, single_at[capacity]: of the
+///          pencil that stands for this surfel alone, -1: none
 /// out    : outgoing[3][capacity] [W m^-2 sr^-1] of the pixel's surfels, added to
 kernel void project_film_pencils(global const float *surfels, int capacity, global const uchar *counts, global const int *first_surfel,
                                  global const SurfacePencil *pencils, global const float4 *fits, global const int *pencil_at, int coarsest,
-                                 int finest, float most_error, global const SurfacePencil *singles, global const int *single_at, int width,
-                                 int height, global float *outgoing) {
+                                 int finest, float most_error, global const float4 *single_irradiance, global const int *single_at,
+                                 int width, int height, global float *outgoing) {
     int pixel = get_global_id(0);
     if (pixel >= width * height) return;
     int2 at = (int2)(pixel % width, pixel / width);
     for (int k = 0; k < (counts[pixel] & FILM_COUNT_MASK); ++k) {
         int i = first_surfel[pixel] + k;
         if (single_at[i] >= 0) {
-            add_reflected(surfels, capacity, i, singles[single_at[i]].irradiance.xyz, outgoing);
+            add_reflected(surfels, capacity, i, single_irradiance[single_at[i]].xyz, outgoing);
             continue;
         }
         SurfacePoint point = surface_point(surfels, capacity, i);

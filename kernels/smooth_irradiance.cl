@@ -8,16 +8,15 @@
 
 /// A film pencil's irradiance near it: value + along_t dot(step, t) + along_b dot(step, b), t and b of tangent_frame.
 /// launch : 1-D, one work-item per pixel
-/// in     : pencils, pencil_at; facing.w: spacing at which a pencil was placed [pixels]; most_error: reuse_error at which a neighbour
-///          counts nothing
+/// in     : pencils, their irradiance, pencil_at; most_error: reuse_error at which a neighbour counts nothing
 /// out    : fits[3 * pencil ..]: value, along_t, along_b (rgb) [W m^-2, W m^-2 / scene unit]
-kernel void smooth_irradiance(global const SurfacePencil *pencils, global const int *pencil_at, float most_error, int width, int height,
-                              global float4 *fits) {
+kernel void smooth_irradiance(global const SurfacePencil *pencils, global const float4 *irradiance, global const int *pencil_at,
+                              float most_error, int width, int height, global float4 *fits) {
     int pixel = get_global_id(0);
     if (pixel >= width * height || pencil_at[pixel] < 0) return;
     global const SurfacePencil *own = pencils + pencil_at[pixel];
     int2 at = (int2)(pixel % width, pixel / width);
-    int spacing = (int)own->facing.w;
+    int spacing = own->spacing;
     float3 x = own->position.xyz, n = own->normal.xyz, t, b;
     tangent_frame(n, &t, &b);
     // Sums of weights, of (s, u) and the irradiance, and of their products.
@@ -34,7 +33,7 @@ kernel void smooth_irradiance(global const SurfacePencil *pencils, global const 
             if (distance == INFINITY) continue;
             float error = reuse_error(pencil, distance, n) + reuse_error(own, distance, n);
             float weight = fmax(1.0f - error / (2.0f * most_error), 0.0f);
-            float3 step = pencil->position.xyz - x, e = pencil->irradiance.xyz;
+            float3 step = pencil->position.xyz - x, e = irradiance[index].xyz;
             float s = dot(step, t), u = dot(step, b);
             w += weight;
             ws += weight * s;

@@ -25,7 +25,7 @@ const std::vector<KernelGroup>& groups() {
         // Surface pencils.
         {{"packet", "hash", "triangle", "surfel", "bvh", "hemisphere", "surface_pencil", "pencil_grid", "film_lattice"},
          {"place_surface_pencils", "trace_hemispheres", "measure_hemispheres", "emit_hemispheres", "sum_hemispheres",
-          "project_surface_pencils", "link_surfels", "transport_irradiance", "cover_film", "smooth_irradiance", "project_film_pencils"}},
+          "project_surface_pencils", "link_surfels", "transport_irradiance", "close_series", "cover_film", "smooth_irradiance", "project_film_pencils"}},
     };
     return all;
 }

@@ -75,8 +75,9 @@ inline PencilLinks nearest_pencils(global const SurfacePencil *pencils, PencilGr
     return links;
 }
 
-inline float3 linked_irradiance(global const SurfacePencil *pencils, PencilLinks links) {
+/// The weighted mean of the linked pencils' irradiance, 0 where there are none.
+inline float3 linked_irradiance(global const float4 *irradiance, PencilLinks links) {
     float3 sum = (float3)(0.0f);
-    for (int k = 0; k < LINKS && links.index[k] >= 0; ++k) sum += links.weight[k] * pencils[links.index[k]].irradiance.xyz;
+    for (int k = 0; k < LINKS && links.index[k] >= 0; ++k) sum += links.weight[k] * irradiance[links.index[k]].xyz;
     return sum;
 }

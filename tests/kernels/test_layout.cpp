@@ -12,6 +12,7 @@
 #include "shared/geometry.h"
 #include "shared/light.h"
 #include "shared/camera.h"
+#include "shared/surface_pencil.h"
 // clang-format on
 
 namespace pencil {
@@ -23,6 +24,8 @@ static_assert(sizeof(Triangle) == 64 && offsetof(Triangle, plane) == 48);
 static_assert(sizeof(Material) == 32 && offsetof(Material, emission) == 16);
 static_assert(sizeof(Hit) == 8);
 static_assert(sizeof(LightSample) == 48);
+static_assert(sizeof(SurfacePencil) == 192 && offsetof(SurfacePencil, horizon_x) == 48 && offsetof(SurfacePencil, plane) == 176);
+static_assert(sizeof(PencilGrid) == 32 && offsetof(PencilGrid, size_x) == 16);
 static_assert(sizeof(Camera) == 80 && offsetof(Camera, width) == 64);
 
 class SelfTest : public testing::TestWithParam<const char*> {
