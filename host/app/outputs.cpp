@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <system_error>
 
-#include "app/units.h"
+#include "util/format.h"
 #include "image/write_image.h"
 #include "util/error.h"
 #include "util/output_file.h"

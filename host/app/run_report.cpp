@@ -10,7 +10,7 @@
 
 #include "app/message.h"
 #include "app/option_report.h"
-#include "app/units.h"
+#include "util/format.h"
 #include "options/option_values.h"
 #include "options/render_option_table.h"
 
