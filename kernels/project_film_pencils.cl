@@ -7,11 +7,11 @@ inline float3 fitted_irradiance(global const float4 *fit, global const SurfacePe
     return fmax(fit[0].xyz + dot(step, t) * fit[1].xyz + dot(step, b) * fit[2].xyz, (float3)(0.0f));
 }
 
-/// Scattering K by the diffuse BRDF albedo / pi.
+/// Scattering K of the irradiance of surfel i, added to outgoing[3][capacity].
 inline void add_reflected(global const float *surfels, size_t capacity, int i, float3 irradiance, global float *outgoing) {
     global const float *s = surfels + i;
     float3 albedo = (float3)(s[SURFEL_ALBEDO_R * capacity], s[SURFEL_ALBEDO_G * capacity], s[SURFEL_ALBEDO_B * capacity]);
-    float3 radiance = albedo * irradiance * M_1_PI_F;
+    float3 radiance = brdf_reflect(albedo, irradiance);
     outgoing[i] += radiance.x;
     outgoing[capacity + i] += radiance.y;
     outgoing[2 * capacity + i] += radiance.z;

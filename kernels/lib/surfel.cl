@@ -1,4 +1,4 @@
-// Builds one surfel from a hit. Needs triangle.cl.
+// Builds one surfel from a hit. Needs triangle.cl, brdf.cl.
 
 /// Barycentric weights of the line through `cop` along `direction`, from the rasteriser's own edge functions.
 inline float3 hit_barycentric(global const Triangle *t, float4 cop, float4 direction) {
@@ -31,8 +31,9 @@ inline void write_surfel(global float *surfels, int capacity, int i, Hit hit, fl
         float3 m = w.x * corner[0].xyz + w.y * corner[1].xyz + w.z * corner[2].xyz;
         if (dot(m, m) > 0.0f) n = normalize(front ? m : -m);
     }
-    Material material = materials[t->material];
-    float reflects = front || material.albedo.w != 0.0f ? 1.0f : 0.0f;
+    global const Material *material = materials + t->material;
+    float reflects = front || material->albedo.w != 0.0f ? 1.0f : 0.0f;
+    float3 albedo = brdf_albedo(material, (float3)(0.0f, 0.0f, 1.0f));
     float values[SURFEL_FIELDS] = {p.x,
                                    p.y,
                                    p.z,
@@ -40,9 +41,9 @@ inline void write_surfel(global float *surfels, int capacity, int i, Hit hit, fl
                                    n.y,
                                    n.z,
                                    as_float(t->plane),
-                                   reflects * material.albedo.x,
-                                   reflects * material.albedo.y,
-                                   reflects * material.albedo.z,
+                                   reflects * albedo.x,
+                                   reflects * albedo.y,
+                                   reflects * albedo.z,
                                    as_float(front ? t->material : ~t->material),
                                    g.x,
                                    g.y,

@@ -1,5 +1,5 @@
-// Packets of surfels. Needs packet.cl. A work-item takes a block of PENCIL_BLOCK packets and runs through it pencil by pencil: neighbouring
-// surfels meet the same texels, which then are in the nearest cache.
+// Packets of surfels. Needs packet.cl, brdf.cl. A work-item takes a block of PENCIL_BLOCK packets and runs through it pencil by pencil:
+// neighbouring surfels meet the same texels, which then are in the nearest cache.
 
 /// What the transport loops need of PENCIL_WIDTH surfels.
 typedef struct SurfelPacket {
@@ -52,12 +52,12 @@ inline void store_rgb(global float *rgb_buffer, int capacity, int first, vfloat 
     PACKET_STORE(b, out + 2 * (size_t)capacity);
 }
 
-/// Scatters irradiance by the diffuse BRDF albedo / pi (operator K).
+/// Scatters irradiance (operator K): radiance that the surfels reflect [W m^-2 sr^-1] to rgb_buffer[3][capacity], as store_rgb.
 inline void scatter_irradiance(global const float *surfels, int capacity, int first, vfloat r, vfloat g, vfloat b, global float *rgb_buffer,
                                int accumulate) {
     global const float *s = surfels + first;
-    r *= M_1_PI_F * PACKET_LOAD(s + (size_t)SURFEL_ALBEDO_R * capacity);
-    g *= M_1_PI_F * PACKET_LOAD(s + (size_t)SURFEL_ALBEDO_G * capacity);
-    b *= M_1_PI_F * PACKET_LOAD(s + (size_t)SURFEL_ALBEDO_B * capacity);
+    r = brdf_reflect_packet(PACKET_LOAD(s + (size_t)SURFEL_ALBEDO_R * capacity), r);
+    g = brdf_reflect_packet(PACKET_LOAD(s + (size_t)SURFEL_ALBEDO_G * capacity), g);
+    b = brdf_reflect_packet(PACKET_LOAD(s + (size_t)SURFEL_ALBEDO_B * capacity), b);
     store_rgb(rgb_buffer, capacity, first, r, g, b, accumulate);
 }
