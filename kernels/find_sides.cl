@@ -18,6 +18,6 @@ kernel void find_sides(global const Hit *hits, global const float4 *cops, int ti
         bool back = plane_ahead(planes[t->plane], cop) > 0.0f;
         if (back && materials[t->material].albedo.w == 0.0f) continue;
         int side = 2 * t->shape + (back ? 1 : 0);
-        row[side / 32] |= 1u << (side % 32);
+        row[side / WORD_BITS] |= 1u << (side % WORD_BITS);
     }
 }

@@ -1,5 +1,10 @@
 // Local projection to the film: every surfel takes its irradiance from the film pencils at the lattice points about its pixel.
 
+/// Errors below this share of most_error count as this: a pencil at the surfel itself has a finite weight.
+#define FILM_LEAST_ERROR 0.02f
+/// Squared distance that the normals' 1 - cosine counts as, among pencils that may not be used [scene units^2]: likeness of normals first.
+#define FILM_TURN 0.25f
+
 /// What smooth_irradiance says at `step` from the pencil.
 inline float3 fitted_irradiance(global const float4 *fit, global const SurfacePencil *pencil, float3 step) {
     float3 t, b;
@@ -38,19 +43,19 @@ kernel void project_film_pencils(global const float *surfels, int capacity, glob
         float4 sum = (float4)(0.0f), last = (float4)(0.0f);
         float least = INFINITY;
         for (int spacing = coarsest; spacing >= finest; spacing /= 2)
-            for (int corner = 0; corner < 4; ++corner) {
+            for (int corner = 0; corner < LATTICE_CORNERS; ++corner) {
                 int index = lattice_pencil(pencil_at, at, spacing, coarsest, corner, width, height);
                 if (index < 0) continue;
                 global const SurfacePencil *pencil = pencils + index;
                 float distance = reuse_distance(pencil, point.x, point.n, INFINITY);
-                float error = distance < INFINITY ? fmax(reuse_error(pencil, distance, point.n), 0.02f * most_error) : INFINITY;
+                float error = distance < INFINITY ? fmax(reuse_error(pencil, distance, point.n), FILM_LEAST_ERROR * most_error) : INFINITY;
                 int2 apart = convert_int2(abs_diff(lattice_pixel(at, spacing, corner, width, height), at));
                 float tent = fmax(1.0f - apart.x / (float)spacing, 0.0f) * fmax(1.0f - apart.y / (float)spacing, 0.0f);
                 float weight = fmax(1.0f / error - 1.0f / most_error, 0.0f) * tent;
                 float3 step = point.x - pencil->position.xyz;
                 if (weight > 0.0f) sum += weight * (float4)(fitted_irradiance(fits + 3 * (size_t)index, pencil, step), 1.0f);
                 // No pencil reaches: take the most similar one.
-                float unlike = dot(step, step) + (1.0f - dot(pencil->normal.xyz, point.n)) * 0.25f;
+                float unlike = dot(step, step) + (1.0f - dot(pencil->normal.xyz, point.n)) * FILM_TURN;
                 if (unlike < least) {
                     least = unlike;
                     last = (float4)(fits[3 * (size_t)index].xyz, 1.0f);

@@ -1,12 +1,16 @@
 // The map of a surface pencil: n x n texels over the hemisphere about a normal, of equal cosine-weighted solid angle pi / n^2, by the
 // concentric map of square to disc (Shirley and Chiu 1997) and Malley's projection of the disc. DEVIATION: not octahedral: an octahedral
 // map would spend half of its texels below the surface and most of the others where the cosine is small. Each texel is seen through one
-// point of it, random for each key and shifted from turn to turn: sums over texels are unbiased. n is a multiple of 4. Needs packet.cl, hash.cl.
+// point of it, random for each key and shifted from turn to turn: sums over texels are unbiased. n is a multiple of 4. Needs packet.cl,
+// hash.cl.
 
-/// Texel of map entry `i`: entries run through blocks of 4 x 4 texels, so that packets see neighbouring things.
+/// Entries of a map run through blocks of texels of this side, so that packets see neighbouring things.
+#define HEMISPHERE_BLOCK 4
+
+/// Texel of map entry `i`.
 inline int2 hemisphere_texel(int i, int n) {
-    int block = i / 16, lane = i % 16;
-    return (int2)(block % (n / 4) * 4 + lane % 4, block / (n / 4) * 4 + lane / 4);
+    int block = i / (HEMISPHERE_BLOCK * HEMISPHERE_BLOCK), lane = i % (HEMISPHERE_BLOCK * HEMISPHERE_BLOCK), blocks = n / HEMISPHERE_BLOCK;
+    return HEMISPHERE_BLOCK * (int2)(block % blocks, block / blocks) + (int2)(lane % HEMISPHERE_BLOCK, lane / HEMISPHERE_BLOCK);
 }
 
 /// Point of the unit disc for a point of the square [-1, 1]^2.

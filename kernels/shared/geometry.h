@@ -7,6 +7,10 @@
 #include "shared/types.h"
 #endif
 
+// The two counts in Triangle.mates.
+#define MATES_BEFORE(mates) ((mates)&0xff)
+#define MATES_AFTER(mates) ((mates) >> 8)
+
 PENCIL_SHARED_BEGIN
 
 typedef struct Triangle {

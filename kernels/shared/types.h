@@ -19,4 +19,6 @@ using uint = std::uint32_t;
 #define PENCIL_SHARED_END
 #endif
 
+#define WORD_BITS 32  // of a uint that holds a row of flags
+
 #endif
