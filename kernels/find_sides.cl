@@ -1,5 +1,11 @@
 // Finds which sides of which shapes each centre of projection sees. Centres that see a side in common lie in one connected space.
 
+#include "lib/octahedral.cl"
+#include "lib/triangle.cl"
+#include "shared/geometry.h"
+#include "shared/material.h"
+#include "shared/types.h"
+
 /// launch : 1-D, one work-item per tile
 /// in     : hits of tile_count tiles of n x n, cops; triangles, planes, materials
 /// out    : sides[tile * words ..]: bit 2 s of the row is set if the tile shows the front of shape s, bit 2 s + 1 if it shows the back and
@@ -18,6 +24,6 @@ kernel void find_sides(global const Hit *hits, global const float4 *cops, int ti
         bool back = plane_ahead(planes[t->plane], cop) > 0.0f;
         if (back && materials[t->material].albedo.w == 0.0f) continue;
         int side = 2 * t->shape + (back ? 1 : 0);
-        row[side / 32] |= 1u << (side % 32);
+        row[side / WORD_BITS] |= 1u << (side % WORD_BITS);
     }
 }

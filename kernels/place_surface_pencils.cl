@@ -1,16 +1,20 @@
 // Puts surface pencils on surfels.
 
+#include "shared/surface_pencil.h"
+#include "shared/surfel.h"
+
 /// How much nearer: well above the rounding of positions, and a small share of the distance [scene units].
 #define PLACE_NEARER 3e-5f
 #define PLACE_SHARE 1e-2f
 
 /// launch : 1-D, one work-item per new pencil
-/// in     : surfels; chosen[count]: the surfel of each pencil; keys[count]: its key; views[count]: xyz: where that surfel was seen from, w:
-/// radius [scene units] out    : pencils[first ..]: position, normal, facing, plane; the rest is 0 until they are traced and summed A
-/// pencil lies a little nearer to its viewer than the surfel: where two walls meet, it must lie on the side of the second wall that was
+/// in     : surfels; chosen[count]: the surfel of each pencil; keys[count]: its key; views[count]: xyz: where that surfel was seen from,
+///          w: radius [scene units]; spacing: of the lattice of film pencils that they join [pixels], 0: none
+/// out    : pencils[first ..]: position, normal, facing, plane, key, spacing; the rest is 0 until they are measured
+/// A pencil lies a little nearer to its viewer than the surfel: where two walls meet, it must lie on the side of the second wall that was
 /// seen.
 kernel void place_surface_pencils(global const float *surfels, int capacity, global const int *chosen, global const uint *keys,
-                                  global const float4 *views, int count, float spacing, int first, global SurfacePencil *pencils) {
+                                  global const float4 *views, int count, int spacing, int first, global SurfacePencil *pencils) {
     int item = get_global_id(0);
     if (item >= count) return;
     global const float *s = surfels + chosen[item];
@@ -19,9 +23,10 @@ kernel void place_surface_pencils(global const float *surfels, int capacity, glo
     float3 x = (float3)(s[SURFEL_X * c], s[SURFEL_Y * c], s[SURFEL_Z * c]), towards = views[item].xyz - x;
     pencil->position = (float4)(x + towards * fmin(PLACE_NEARER / fmax(length(towards), PLACE_NEARER), PLACE_SHARE), 0.0f);
     pencil->normal = (float4)(s[SURFEL_NX * c], s[SURFEL_NY * c], s[SURFEL_NZ * c], views[item].w);
-    pencil->facing = (float4)(s[SURFEL_GX * c], s[SURFEL_GY * c], s[SURFEL_GZ * c], spacing);
-    pencil->irradiance = (float4)(0.0f);
+    pencil->facing = (float4)(s[SURFEL_GX * c], s[SURFEL_GY * c], s[SURFEL_GZ * c], 0.0f);
     for (int k = 0; k < 2 * RING_SECTORS; ++k) pencil->horizon_x[k] = pencil->horizon_y[k] = 0.0f;
     pencil->plane = as_int(s[SURFEL_PLANE * c]);
     pencil->key = keys[item];
+    pencil->spacing = spacing;
+    pencil->unused = 0;
 }

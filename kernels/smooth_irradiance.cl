@@ -1,23 +1,28 @@
 // Irradiance of film pencils, each fitted with its neighbours on the lattice: a linear function of position, so that slopes stay and noise
 // averages out.
 
+#include "lib/hemisphere.cl"
+#include "lib/surface_pencil.cl"
+#include "shared/surface_pencil.h"
+
 /// Neighbours to each side.
 #define SMOOTH_REACH 2
 /// Share of the neighbours' weight that holds slopes at 0: decides where neighbours lie on one side or in a line.
 #define SMOOTH_HOLD 1e-3f
+/// And this much where all neighbours lie in one point: keeps the determinant above 0 [scene units^2].
+#define SMOOTH_TINY 1e-12f
 
 /// A film pencil's irradiance near it: value + along_t dot(step, t) + along_b dot(step, b), t and b of tangent_frame.
 /// launch : 1-D, one work-item per pixel
-/// in     : pencils, pencil_at; facing.w: spacing at which a pencil was placed [pixels]; most_error: reuse_error at which a neighbour
-///          counts nothing
+/// in     : pencils, their irradiance, pencil_at; most_error: reuse_error at which a neighbour counts nothing
 /// out    : fits[3 * pencil ..]: value, along_t, along_b (rgb) [W m^-2, W m^-2 / scene unit]
-kernel void smooth_irradiance(global const SurfacePencil *pencils, global const int *pencil_at, float most_error, int width, int height,
-                              global float4 *fits) {
+kernel void smooth_irradiance(global const SurfacePencil *pencils, global const float4 *irradiance, global const int *pencil_at,
+                              float most_error, int width, int height, global float4 *fits) {
     int pixel = get_global_id(0);
     if (pixel >= width * height || pencil_at[pixel] < 0) return;
     global const SurfacePencil *own = pencils + pencil_at[pixel];
     int2 at = (int2)(pixel % width, pixel / width);
-    int spacing = (int)own->facing.w;
+    int spacing = own->spacing;
     float3 x = own->position.xyz, n = own->normal.xyz, t, b;
     tangent_frame(n, &t, &b);
     // Sums of weights, of (s, u) and the irradiance, and of their products.
@@ -34,7 +39,7 @@ kernel void smooth_irradiance(global const SurfacePencil *pencils, global const 
             if (distance == INFINITY) continue;
             float error = reuse_error(pencil, distance, n) + reuse_error(own, distance, n);
             float weight = fmax(1.0f - error / (2.0f * most_error), 0.0f);
-            float3 step = pencil->position.xyz - x, e = pencil->irradiance.xyz;
+            float3 step = pencil->position.xyz - x, e = irradiance[index].xyz;
             float s = dot(step, t), u = dot(step, b);
             w += weight;
             ws += weight * s;
@@ -49,7 +54,7 @@ kernel void smooth_irradiance(global const SurfacePencil *pencils, global const 
     // Least squares about the weighted mean.
     float ms = ws / w, mu = wu / w;
     float ss = wss - ms * ws, su = wsu - ms * wu, uu = wuu - mu * wu;
-    float hold = SMOOTH_HOLD * (ss + uu) + 1e-12f;
+    float hold = SMOOTH_HOLD * (ss + uu) + SMOOTH_TINY;
     ss += hold;
     uu += hold;
     float3 mean = e0 / w, cs = es - ms * e0, cu = eu - mu * e0;

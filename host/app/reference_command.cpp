@@ -50,8 +50,7 @@ ReferenceResult trace_with_progress(const Scene& scene, const ReferenceCommand& 
 
 /// The layers come in groups; those that nobody asked for are dropped here.
 bool is_wanted(const Layer& layer, const std::vector<std::string>& aovs) {
-    const bool bounce = layer.name.rfind("bounce", 0) == 0 || layer.name == "tail";
-    return layer.name.empty() || has_group(aovs, bounce ? "bounces" : layer.name);
+    return layer.name.empty() || has_group(aovs, is_bounce(layer.name) ? "bounces" : layer.name);
 }
 
 void write_images(ReferenceReport& report, const ReferenceCommand& command) {

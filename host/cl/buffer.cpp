@@ -2,6 +2,7 @@
 #include "cl/buffer.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <stdexcept>
 
@@ -57,6 +58,14 @@ void BufferStorage::read(void* to, std::size_t offset, std::size_t bytes) const 
     if (bytes == 0) return;
     cl_call([&] { return "reading " + format_bytes(bytes) + " of " + what_ + " from " + device_->info().name; },
             [&] { device_->queue().enqueueReadBuffer(buffer_, CL_TRUE, offset, bytes, to); });
+}
+
+void BufferStorage::read_rows(void* to, std::size_t offset, std::size_t pitch, std::size_t rows, std::size_t row_bytes) const {
+    if (row_bytes > pitch) throw std::out_of_range("rows of " + what_ + " overlap");
+    check_range("reading", offset, (rows - 1) * pitch + row_bytes);
+    const std::array<cl::size_type, 3> from{offset % pitch, offset / pitch, 0}, target{0, 0, 0}, size{row_bytes, rows, 1};
+    cl_call([&] { return "reading " + format_bytes(rows * row_bytes) + " of " + what_ + " from " + device_->info().name; },
+            [&] { device_->queue().enqueueReadBufferRect(buffer_, CL_TRUE, from, target, size, pitch, 0, row_bytes, 0, to); });
 }
 
 void BufferStorage::write(const void* from, std::size_t offset, std::size_t bytes) {

@@ -19,6 +19,7 @@ public:
     BufferStorage(BufferStorage&& other) noexcept;
     BufferStorage& operator=(BufferStorage&& other) noexcept;
     void read(void* to, std::size_t offset, std::size_t bytes) const;
+    void read_rows(void* to, std::size_t offset, std::size_t pitch, std::size_t rows, std::size_t row_bytes) const;
     void write(const void* from, std::size_t offset, std::size_t bytes);
     void fill_zero();
     void copy_from(const BufferStorage& other, std::size_t source, std::size_t target, std::size_t bytes);
@@ -63,6 +64,12 @@ public:
         return out;
     }
     std::vector<T> read() const { return read(0, count_); }
+    /// Elements first .. first + count of each of `rows` rows that lie `pitch` elements apart, in one transfer; rows one after the other.
+    std::vector<T> read_rows(std::size_t first, std::size_t pitch, std::size_t rows, std::size_t count) const {
+        std::vector<T> out(rows * count);
+        if (!out.empty()) storage().read_rows(out.data(), first * sizeof(T), pitch * sizeof(T), rows, count * sizeof(T));
+        return out;
+    }
     void fill_zero() { storage().fill_zero(); }
     /// Copies elements source .. source + count of `other` to target .., on the device.
     void copy_from(const Buffer& other, std::size_t source, std::size_t target, std::size_t count) {

@@ -8,14 +8,14 @@
 #include <cstdio>
 #include <limits>
 
-// Order matters: these headers rely on the first one.
-// clang-format off
-#include "shared/types.h"
+#include "self_test_layout.h"
+#include "shared/bvh.h"
+#include "shared/camera.h"
+#include "shared/cluster.h"
 #include "shared/geometry.h"
 #include "shared/light.h"
-#include "shared/camera.h"
-// clang-format on
-#include "self_test_layout.h"
+#include "shared/material.h"
+#include "shared/surface_pencil.h"
 
 namespace pencil {
 namespace {
@@ -27,11 +27,8 @@ int reduction_group(const Device& device) {
     return group;
 }
 
-const std::vector<std::string> files = {"shared/types.h", "shared/geometry.h",  "shared/light.h", "shared/camera.h",
-                                        "lib/packet.cl",  "self_test_layout.h", "self_test.cl"};
-
 Launch self_test_kernel(ProgramCache& programs, const std::string& name) {
-    return programs.kernel(name, files, {{"SELF_TEST_GROUP", std::to_string(reduction_group(*programs.device()))}});
+    return programs.kernel(name, "self_test.cl", {{"SELF_TEST_GROUP", std::to_string(reduction_group(*programs.device()))}});
 }
 
 std::string number(double value) {

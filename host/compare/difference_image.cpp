@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "compare/lab.h"
-#include "compare/metrics.h"
+#include "image/colour.h"
+#include "image/relative_error.h"
 #include "image/write_image.h"
 
 namespace pencil {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "image/write_image.h"
+#include "options/layer.h"
 
 namespace pencil {
 namespace {
@@ -94,8 +95,7 @@ std::vector<float> select_channels(const NamedLayer& layer, const std::vector<st
 }
 
 bool is_light(const std::string& name) {
-    const auto starts_with = [&](const std::string& start) { return name.compare(0, start.size(), start) == 0; };
-    return name == "beauty" || name == "emission" || name == "direct" || name == "indirect" || name == "tail" || starts_with("bounce");
+    return name == "beauty" || name == "emission" || name == "direct" || name == "indirect" || is_bounce(name);
 }
 
 }  // namespace pencil

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <vector>
+
+#include "image/colour.h"
 
 namespace pencil {
 namespace {
@@ -27,8 +28,6 @@ glm::dvec3 linear_srgb_to_lab(const glm::dvec3& rgb) {
     const double x = compress(xyz.x), y = compress(xyz.y), z = compress(xyz.z);
     return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
 }
-
-double luminance(const glm::dvec3& rgb) { return glm::dot(rgb, glm::dvec3(0.2126, 0.7152, 0.0722)); }
 
 double exposure_of(const float* rgb, std::size_t pixels) {
     std::vector<double> lit;

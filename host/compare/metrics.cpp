@@ -7,11 +7,10 @@
 #include <vector>
 
 #include "compare/lab.h"
+#include "image/relative_error.h"
 
 namespace pencil {
 namespace {
-
-constexpr double mean_share = 0.01;  // keeps dark pixels from deciding relMSE
 
 bool is_finite(const PixelPair& pair, std::size_t pixel) {
     const std::size_t first = pixel * static_cast<std::size_t>(pair.channels);
@@ -62,8 +61,6 @@ double lab_rms(const PixelPair& pair, const std::vector<std::size_t>& pixels, do
 
 }  // namespace
 
-double relative_square(double x, double r, double mean) { return (x - r) * (x - r) / (r * r + mean_share * mean * mean); }
-
 Metrics measure(const PixelPair& pair, const std::optional<double>& exposure) {
     const std::vector<std::size_t> pixels = finite_pixels(pair);
     Metrics metrics;
@@ -74,13 +71,25 @@ Metrics measure(const PixelPair& pair, const std::optional<double>& exposure) {
     const double mean = metrics.reference_mean = mean_of(pair, pixels, [](double, double r) { return r; });
     metrics.rmse = std::sqrt(mean_of(pair, pixels, [](double x, double r) { return (x - r) * (x - r); }));
     metrics.psnr = -20 * std::log10(metrics.rmse);
-    const double undefined = std::numeric_limits<double>::quiet_NaN();
-    metrics.rel_mse = mean == 0 ? undefined : mean_of(pair, pixels, [mean](double x, double r) { return relative_square(x, r, mean); });
-    metrics.mean_ratio = mean == 0 ? undefined : metrics.image_mean / mean;
+    if (metrics.rmse == 0) {
+        metrics.mean_ratio = 1;
+    } else if (mean == 0) {
+        metrics.rel_mse = metrics.mean_ratio = std::numeric_limits<double>::quiet_NaN();
+    } else {
+        metrics.rel_mse = mean_of(pair, pixels, [mean](double x, double r) { return relative_square(x, r, mean); });
+        metrics.mean_ratio = metrics.image_mean / mean;
+    }
     if (exposure && pair.channels == 3) {
         metrics.lab_rms = lab_rms(pair, pixels, *exposure);
     }
     return metrics;
+}
+
+std::string undefined_reason(const Metrics& metrics) {
+    if (metrics.pixels == 0) {
+        return "no pixel is finite in both images";
+    }
+    return std::isnan(metrics.mean_ratio) ? "the mean of the reference is 0" : "";
 }
 
 }  // namespace pencil

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 namespace pencil {
 
@@ -14,12 +15,12 @@ struct PixelPair {
     int channels = 3;
 };
 
-/// Undefined values are NaN: all of them without pixels, `rel_mse` and `mean_ratio` with a black reference.
+/// Undefined values are NaN, see `undefined_reason`. Equal images have the relMSE 0 and the mean ratio 1 whatever they hold.
 struct Metrics {
     std::uint64_t pixels = 0;    // averaged
     std::uint64_t excluded = 0;  // because a channel of x or r is not finite
     double rmse = 0;             // sqrt(mean (x - r)^2)
-    double rel_mse = 0;          // mean((x - r)^2 / (r^2 + 0.01 m^2)), m = mean(r) over all pixels and channels
+    double rel_mse = 0;          // mean((x - r)^2 / (r^2 + 0.01 m^2)), m = mean(r) over pixels and channels, see relative_error.h
     double mean_ratio = 0;       // mean(x) / mean(r)
     double psnr = 0;             // -20 log10(rmse) [dB]: the peak is 1, display white; infinite for equal images
     double image_mean = 0, reference_mean = 0;
@@ -29,7 +30,8 @@ struct Metrics {
 /// `exposure`: colours are displayed as clamp(exposure * rgb, 0, 1); with it, and three channels, `lab_rms` is measured.
 Metrics measure(const PixelPair& pair, const std::optional<double>& exposure = {});
 
-/// The part of `rel_mse` that one value adds, before averaging; `mean` is m.
-double relative_square(double x, double r, double mean);
+/// Why values are undefined: no pixel is left to average, or those relative to the reference would be divided by its mean 0. Empty if all
+/// are defined.
+std::string undefined_reason(const Metrics& metrics);
 
 }  // namespace pencil

@@ -1,5 +1,7 @@
 #include "converge/converge.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <system_error>
 #include <thread>
@@ -10,6 +12,7 @@
 #include "converge/runs.h"
 #include "scene/scene_fingerprint.h"
 #include "util/error.h"
+#include "util/format.h"
 #include "util/output_file.h"
 
 namespace pencil {
@@ -17,13 +20,25 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path points_file(const ConvergeOptions& options) { return options.folder / "points.csv"; }
+fs::path runs_file(const ConvergeOptions& options) { return options.folder / "runs.jsonl"; }
+fs::path table_file(const ConvergeOptions& options) { return options.folder / "points.csv"; }
+
+/// Finished runs. UsageError if an older version, which kept them in points.csv alone, has filled the folder.
+RunLog finished_runs(const ConvergeOptions& options) {
+    if (!fs::exists(runs_file(options)) && fs::exists(table_file(options))) {
+        throw UsageError(
+            fmt::format("{} holds points.csv without runs.jsonl: it was made by an older version of pencil, whose runs cannot "
+                        "be continued; use another folder, or delete this one to measure again",
+                        options.folder.string()));
+    }
+    return read_runs(runs_file(options));
+}
 
 Identity identity_of(const Scene& scene, const ConvergeOptions& options, const DeviceInfo& device) {
     return {{"scene", scene_fingerprint(scene)},
-            {"size", std::to_string(options.width) + "x" + std::to_string(options.height)},
-            {"number of reflections", options.bounces < 0 ? "auto" : std::to_string(options.bounces)},
-            {"device", device.name + ", " + device.driver},
+            {"size", format_extent(options.width, options.height)},
+            {"number of reflections", bounces_text(options)},
+            {"device", fmt::format("{}, {}", device.name, device.driver)},
             {"version", options.version}};
 }
 
@@ -60,9 +75,14 @@ public:
         : scene_(scene),
           options_(options),
           device_(device),
-          points_(read_points(points_file(options))),
           plan_(with_path_tracer(options), options.seeds, options.longest),
-          progression_(progress, plan_, options.reference.empty() ? truth_seconds(options) : 0) {}
+          progression_(progress, plan_, options.reference.empty() ? truth_seconds(options) : 0) {
+        RunLog log = finished_runs(options);
+        points_ = std::move(log.points);
+        if (!log.warning.empty()) {
+            warnings_.push_back(log.warning);
+        }
+    }
 
     Report run() {
         Report report;
@@ -109,7 +129,7 @@ private:
         bool warm = false;
         while (const std::optional<Task> task = plan_.next(points_)) {
             const double before = plan_.expected_seconds(points_);
-            const std::string stage = task->method + " " + run_flags(task->method, task->budget) + ", seed " + std::to_string(task->seed);
+            const std::string stage = fmt::format("{} {}, seed {}", task->method, run_flags(task->method, task->budget), task->seed);
             const Progress progress = [&](const std::string&, double fraction) {
                 return progression_.update(stage, fraction, expected(*task), points_);
             };
@@ -133,11 +153,11 @@ private:
             if (!point) {
                 return false;
             }
-            append_point(points_file(options_), *point);
+            append_run(runs_file(options_), *point);
             points_.push_back(*point);
         } catch (const MemoryError& error) {
             plan_.end_ladder(task.method, task.budget);
-            warnings_.push_back(task.method + " stops before " + run_flags(task.method, task.budget) + ": " + error.what());
+            warnings_.push_back(fmt::format("{} stops before {}: {}", task.method, run_flags(task.method, task.budget), error.what()));
         }
         return true;
     }
@@ -170,12 +190,12 @@ void prepare_folder(const Scene& scene, const ConvergeOptions& options, const De
     std::error_code error;
     fs::create_directories(options.folder / "images", error);
     if (error) {
-        throw OutputError("cannot write to " + options.folder.string() + ": " + error.message());
+        throw OutputError(fmt::format("cannot write to {}: {}", options.folder.string(), error.message()));
     }
-    for (const fs::path& file : {points_file(options), options.folder / "index.html", options.folder / "images/a.exr"}) {
+    for (const fs::path& file : {runs_file(options), table_file(options), options.folder / "index.html", options.folder / "images/a.exr"}) {
         check_writable(file);
     }
-    check_identity(options.folder, identity_of(scene, options, device), read_points(points_file(options)));
+    check_identity(options.folder, identity_of(scene, options, device), finished_runs(options).points);
 }
 
 Report converge(const Scene& scene, const ConvergeOptions& options, const std::shared_ptr<Device>& device, const Progress& progress) {
@@ -183,6 +203,7 @@ Report converge(const Scene& scene, const ConvergeOptions& options, const std::s
     if (report.points.empty()) {
         return report;  // interrupted before the first run was finished
     }
+    write_text(table_file(options), points_csv(report.points));
     write_text(options.folder / "summary.json", summary_json(report));
     const std::string missing = make_plots(options.folder);
     write_text(options.folder / "index.html", page_html(report, missing));

@@ -1,4 +1,4 @@
-#include "converge/page_pictures.h"
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "compare/difference_image.h"
 #include "compare/image_layers.h"
-#include "converge/page_tables.h"
+#include "converge/page_data.h"
 #include "converge/pictures.h"
 #include "converge/runs.h"
 #include "converge/text.h"
@@ -42,37 +42,29 @@ const BudgetSummary& closest(const MethodSummary& method, double seconds) {
                              [&](const BudgetSummary& a, const BudgetSummary& b) { return distance(a) < distance(b); });
 }
 
-std::string figure(const std::string& uri, const std::string& alt, const std::string& caption) {
-    return "<figure><img src=\"" + uri + "\" alt=\"" + html_text(alt) + "\"><figcaption>" + caption + "</figcaption></figure>\n";
-}
-
-std::string figures(const Report& report, const Shown& shown, double scale) {
+PageObject pair_of(const Report& report, const Shown& shown, double scale) {
     const Truth& truth = report.truth;
-    const std::string label = method_label(report, shown.method);
-    const std::string numbers = seconds_text(shown.budget->seconds) + ", " + percent_text(shown.budget->relative_error);
-    const std::string name = report.methods[shown.method].name;
-    return "<div class=\"pair\">" +
-           figure(picture_uri(shown.rgb, truth.width, truth.height, truth.exposure), name, label + "<small>" + numbers + "</small>") +
-           figure(picture_uri(false_colour(shown.differences, scale), truth.width, truth.height, 1), "difference of " + name,
-                  "difference") +
-           "</div>\n";
+    PageObject pair = method_data(report, shown.method);
+    pair["time"] = seconds_text(shown.budget->seconds);
+    pair["error"] = percent_text(shown.budget->relative_error);
+    pair["image"] = picture_uri(shown.rgb, truth.width, truth.height, truth.exposure);
+    pair["difference"] = picture_uri(false_colour(shown.differences, scale), truth.width, truth.height, 1);
+    return pair;
 }
 
 /// The reference and what is compared with it.
-std::string row(const Report& report, const std::string& title, const std::vector<Shown>& all, double scale) {
+PageObject row(const Report& report, const std::string& title, const std::vector<Shown>& all, double scale) {
     const Truth& truth = report.truth;
-    std::string html = "<h3>" + title + "</h3>\n<div class=\"pictures\">\n" +
-                       figure(picture_uri(truth.rgb, truth.width, truth.height, truth.exposure), "reference",
-                              "reference<small>" + html_text(truth.name) + "</small>");
+    PageList pairs;
     for (const Shown& shown : all) {
-        html += figures(report, shown, scale);
+        pairs.emplace_back(pair_of(report, shown, scale));
     }
-    return html + "</div>\n";
+    return {{"title", title}, {"reference_image", picture_uri(truth.rgb, truth.width, truth.height, truth.exposure)}, {"pairs", pairs}};
 }
 
 }  // namespace
 
-std::string picture_sections(const Report& report) {
+PagePictures pictures_of(const Report& report) {
     std::vector<Shown> early, late;
     for (std::size_t i = 0; i < report.methods.size(); ++i) {
         for (auto [list, budget] :
@@ -86,10 +78,7 @@ std::string picture_sections(const Report& report) {
         scale = std::max(scale, difference_scale(shown.differences));
     }
     scale = scale > 0 ? scale : 1;
-    return "<p>Difference: <span class=\"red\">red</span> where the image is too bright, <span class=\"blue\">blue</span> where it is too "
-           "dark, white where it is right; full colour at " +
-           percent_text(scale) + " of the reference. One scale and one exposure for all images; each is the first seed's.</p>\n" +
-           row(report, "At about " + seconds_text(early_seconds), early, scale) + row(report, "At the longest time", late, scale);
+    return {{row(report, "At about " + seconds_text(early_seconds), early, scale), row(report, "At the longest time", late, scale)}, scale};
 }
 
 }  // namespace pencil

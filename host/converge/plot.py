@@ -24,7 +24,7 @@ THEMES = {
     "light": {"ink": "#1f2328", "faint": "#59636e", "grid": "#d8dee4", "base": "#333a41"},
     "dark": {"ink": "#e6edf3", "faint": "#9198a1", "grid": "#30363d", "base": "#d1d7de"},
 }
-COLOURS = ["#0a84d6", "#e0701a", "#149f78", "#c05fa8", "#b08a00", "#7a6ff0"]  # as in page.cpp
+COLOURS = ["#0a84d6", "#e0701a", "#149f78", "#c05fa8", "#b08a00", "#7a6ff0"]  # as in page_tables.cpp
 MARKERS = ["s", "o", "^", "D", "v", "P", "X"]
 METRICS = {  # key: (label, factor, unit)
     "relative_error": ("relative error, sqrt(relMSE)", 100.0, " %"),

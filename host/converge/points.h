@@ -1,4 +1,5 @@
-// Finished runs, one row each in a CSV file that only ever grows: what an interruption must not lose.
+// Finished runs: kept in runs.jsonl, one JSON object a line in a file that only ever grows, which is what an interruption must not lose
+// and what a later run goes on from; and as a table for readers, points.csv.
 #pragma once
 
 #include <cstdint>
@@ -19,14 +20,22 @@ struct RunPoint {
     std::uint64_t excluded_pixels = 0;                   // not finite
     double load = 0;                                     // processes that wanted to run in the machine, ours included; 0: not known
     std::string options;                                 // that make this run, as on the command line
-    std::vector<std::pair<std::string, double>> stages;  // name and wall seconds, in order
+    std::vector<std::pair<std::string, double>> stages;  // name and wall seconds, in order; names differ
 };
 
-/// All rows of `file`, or none if it is absent. A last line without its end was cut off by a crash and is removed from the file.
-/// OutputError naming the line if another line is damaged.
-std::vector<RunPoint> read_points(const std::filesystem::path& file);
+struct RunLog {
+    std::vector<RunPoint> points;
+    std::string warning;  // of a last line that was cut off by a crash; empty: none
+};
 
-/// Adds a row (and the header, if the file is new) and hands it to the operating system. OutputError if that fails.
-void append_point(const std::filesystem::path& file, const RunPoint& point);
+/// All lines of `file`, or none if it is absent; a last line without its end is left out. OutputError naming the line if another line is
+/// not a run of this version.
+RunLog read_runs(const std::filesystem::path& file);
+
+/// Adds a line and hands it to the operating system; a last line without its end is removed before. OutputError if that fails.
+void append_run(const std::filesystem::path& file, const RunPoint& point);
+
+/// A header and one row for each run (RFC 4180).
+std::string points_csv(const std::vector<RunPoint>& points);
 
 }  // namespace pencil

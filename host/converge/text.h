@@ -1,9 +1,7 @@
-// Numbers and names as the page's reader wants them.
+// Numbers as the page's reader wants them.
 #pragma once
 
 #include <string>
-
-#include "converge/curve.h"
 
 namespace pencil {
 
@@ -15,7 +13,5 @@ std::string percent_text(double value);
 std::string seconds_text(double seconds);
 /// "3.1x" with the multiplication sign.
 std::string factor_text(double factor);
-/// Characters of HTML escaped.
-std::string html_text(const std::string& text);
 
 }  // namespace pencil

@@ -12,8 +12,9 @@
 namespace pencil {
 
 struct Features {
-    bool smooth = false;  // some triangle has vertex normals: interpolated shading normals
+    bool smooth = false;    // some triangle has vertex normals: interpolated shading normals
     int film_samples = 16;  // visibility samples per pixel
+    bool outgoing = false;  // some material reflects by where it is seen from: surfels carry that direction
     // What the method needs:
     int weights = PENCIL_WEIGHTS_DPDF;  // form of the quadrature weights (shared/weights.h)
     int cell_grid = 0;                  // root of the greatest number of directions that sample Voronoi cells, 0 for other weights
@@ -28,7 +29,7 @@ Defines to_defines(const Features& features, int block);
 class Kernels {
 public:
     Kernels(std::shared_ptr<Device> device, const Features& features) : cache_(std::move(device)), features_(features) {}
-    /// Kernel `name` from kernels/<name>.cl, built with its group (kernel_groups.h) behind the shared headers.
+    /// Kernel `name` from kernels/<name>.cl, built with its program (program_of).
     Launch get(const std::string& name);
     const std::shared_ptr<Device>& device() const { return cache_.device(); }
     const Features& features() const { return features_; }

@@ -69,13 +69,14 @@ void FilmLayers::add_bounce(int order, std::vector<float> pixels) {
     add_to_beauty(pixels);
     if (wants(order == 1 ? "direct" : "bounces")) light_.push_back({order == indirect ? indirect_layer : bounce_layer(order), 3, pixels});
     last_bounce_ = std::move(pixels);
+    last_order_ = order;
 }
 
 double FilmLayers::close_series(const glm::dvec3& factor) {
     for (std::size_t i = 0; i < last_bounce_.size(); ++i) last_bounce_[i] *= static_cast<float>(factor[static_cast<int>(i % 3)]);
     add_to_beauty(last_bounce_);
     const glm::dvec3 tail = mean_rgb(last_bounce_), image = mean_rgb(beauty_);
-    if (wants("bounces")) light_.push_back({"tail", 3, std::move(last_bounce_)});
+    if (wants("bounces")) light_.push_back({tail_layer(last_order_ + 1), 3, std::move(last_bounce_)});
     const double sum = image.x + image.y + image.z;
     return sum > 0 ? (tail.x + tail.y + tail.z) / sum : 0.0;
 }

@@ -25,7 +25,8 @@ public:
     /// Reflection `order`: 1 is direct light ("direct"), 2 is "bounce2" and so on; indirect is all of them together ("indirect").
     static constexpr int indirect = -1;
     void add_bounce(int order, std::vector<float> pixels);
-    /// Adds the last bounce times `factor` as the rest of the series ("tail"). Returns its mean relative to the image's.
+    /// Adds the last bounce times `factor` as the rest of the series (`tail_layer` of the next order). Returns its mean relative to the
+    /// image's.
     double close_series(const glm::dvec3& factor);
     /// Beauty first, then the wanted layers in a fixed order. take() leaves nothing behind.
     std::vector<Layer> snapshot(int width, int height) const { return FilmLayers(*this).take(width, height); }
@@ -37,6 +38,7 @@ private:
 
     std::set<std::string> aovs_;
     std::vector<float> beauty_, last_bounce_;
+    int last_order_ = 0;
     std::vector<Layer> light_, surface_;
 };
 

@@ -5,14 +5,9 @@
 #include <limits>
 #include <numeric>
 
+#include "image/relative_error.h"
+
 namespace pencil {
-
-namespace {
-
-/// relMSE divides by r^2 + this * mean(r)^2, so that black pixels do not decide it.
-constexpr double variance_floor = 0.01;
-
-}  // namespace
 
 void LayerMean::Sum::add(const std::vector<float>& beauty, const std::vector<float>& first, double image_weight) {
     if (value.empty()) value.assign(first.size(), 0.0F);
@@ -40,7 +35,7 @@ void LayerMean::add(std::vector<Layer> layers, double weight, int generation) {
                 static_cast<float>(share * (static_cast<double>(layers[l].pixels[i]) - static_cast<double>(mean_[l].pixels[i])));
 }
 
-/// Mean over the beauty's values of square(i) / (mean^2 + floor), as relMSE.
+/// Mean over the beauty's values of square(i), relative as in relMSE.
 template <typename Square>
 double LayerMean::relative_mean(Square square) const {
     const std::vector<float>& pixels = mean_.front().pixels;
@@ -48,8 +43,7 @@ double LayerMean::relative_mean(Square square) const {
     if (mean <= 0) return 0;
     double sum = 0;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
-        const double value = pixels[i];
-        sum += square(i) / (value * value + variance_floor * mean * mean);
+        sum += square(i) / relative_to(pixels[i], mean);
     }
     return sum / static_cast<double>(pixels.size());
 }

@@ -1,4 +1,4 @@
-// Launchers of kernels/light_surfels.cl and kernels/sample_lights.cl.
+// Launcher of kernels/light_surfels.cl.
 #pragma once
 
 #include "device/device_scene.h"
@@ -11,9 +11,5 @@ namespace pencil {
 /// Adds reflected direct light of the light samples, thesis alg. 6.2. `what` is the profiling key.
 void light_surfels(Kernels& kernels, const DeviceScene& scene, const Surfels& surfels, const LightSet& lights, Buffer<float>& outgoing,
                    const std::string& what);
-
-/// The same in the mean, by `draws` samples per packet out of every stride-th three; needs the scene's hierarchy.
-void sample_lights(Kernels& kernels, const DeviceScene& scene, const Surfels& surfels, const LightSet& lights, int stride, int draws,
-                   uint seed, Buffer<float>& outgoing);
 
 }  // namespace pencil

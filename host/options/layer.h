@@ -20,6 +20,13 @@ const std::vector<std::string>& layer_groups();
 /// "direct" for order 1, then "bounce2" and so on.
 std::string bounce_layer(int order);
 
+/// The sum of reflection `first_order` and all further ones: "tail16". Images pair layers by name, and this one only pairs those that hold
+/// the same orders.
+std::string tail_layer(int first_order);
+
+/// Whether the layer is a reflection from order 2 on, or a sum of them: "bounce2", "tail16".
+bool is_bounce(const std::string& name);
+
 /// All reflections from order 2 on in one layer.
 constexpr const char* indirect_layer = "indirect";
 /// Estimated standard error of the beauty.

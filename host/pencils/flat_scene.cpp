@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <stdexcept>
 #include <utility>
 
 namespace pencil {
@@ -50,6 +51,15 @@ bool contains(const Plane3& plane, const Plane3& other, const glm::dvec3* corner
     return true;
 }
 
+/// On the device.
+int model_of(MaterialKind kind) {
+    switch (kind) {
+        case MaterialKind::diffuse:
+            return MATERIAL_DIFFUSE;
+    }
+    throw std::logic_error("a material without a model");
+}
+
 /// Rows are made as triangles need them. What emits shares none: its radiance, the form of its light and the area that its samples stand
 /// for are its own.
 class MaterialRows {
@@ -70,7 +80,10 @@ private:
         const SceneMaterial& material = scene_.materials[t.material];
         const Shape& shape = scene_.shapes[t.shape];
         const float carried = shape.emits && forms_[t.shape] == LightForm::maps ? 1.0F : 0.0F;
-        return {float4(material.albedo, material.two_sided ? 1.0F : 0.0F), float4(shape.emits ? shape.radiance : glm::vec3(0), carried)};
+        return {float4(material.albedo, material.two_sided ? 1.0F : 0.0F),
+                float4(shape.emits ? shape.radiance : glm::vec3(0), carried),
+                model_of(material.kind),
+                {}};
     }
 
     const Scene& scene_;

@@ -4,6 +4,7 @@
 #include <limits>
 #include <numeric>
 
+#include "image/colour.h"
 #include "pencils/low_discrepancy.h"
 #include "pencils/warps.h"
 

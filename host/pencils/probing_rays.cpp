@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "image/colour.h"
 #include "pencils/low_discrepancy.h"
 #include "pencils/warps.h"
 

@@ -1,4 +1,4 @@
-// Maps of the unit square to what is sampled: triangles, directions; and the measure of colours that importance is chosen by.
+// Maps of the unit square to what is sampled: triangles, directions.
 #pragma once
 
 #include <algorithm>
@@ -8,8 +8,6 @@
 #include <glm/vec3.hpp>
 
 namespace pencil {
-
-inline double luminance(const glm::dvec3& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
 
 /// Low-distortion map to a triangle's barycentric coordinates, uniform in area (Heitz 2019).
 inline glm::dvec2 square_to_triangle(glm::dvec2 u) {

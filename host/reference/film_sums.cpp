@@ -13,7 +13,7 @@ std::string order_name(int order, int max_depth) {
     if (order == 0) return "emission";
     if (order == 1) return "direct";
     // The last slot holds all further orders, or just one if the depth ends there.
-    if (order == most_orders - 1 && max_depth != most_orders) return "tail";
+    if (order == most_orders - 1 && max_depth != most_orders) return tail_layer(order);
     return "bounce" + std::to_string(order);
 }
 

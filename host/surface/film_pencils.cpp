@@ -2,7 +2,10 @@
 
 #include <algorithm>
 
-#include "shared/film.h"
+#include "surface/cover_film.h"
+#include "surface/place_surface_pencils.h"
+#include "surface/project_film_pencils.h"
+#include "surface/smooth_irradiance.h"
 
 namespace pencil {
 
@@ -13,41 +16,43 @@ constexpr int single_map = 4;
 /// A level of the lattice that would have more points than this share of the pixels is left to single pencils: where so little reaches so
 /// little, neighbours do not help each other.
 constexpr double most_new = 0.2;
+/// Pencils fade out at so many times the error up to which one covers a surfel: no edge shows where a surfel leaves the reach of one.
+constexpr float fade_errors = 2;
 
 }  // namespace
 
-SurfacePencils seed_pencils(Kernels& kernels, const Film& film, int spacing, int map) {
-    const std::vector<unsigned char> counts = film.counts().read();
-    const std::vector<int> first = film.first_surfel().read();
+FilmPixels::FilmPixels(const Film& shown) : film(shown), counts(shown.counts().read()), first_surfel(shown.first_surfel().read()) {}
+
+SurfacePencils seed_pencils(Kernels& kernels, const FilmPixels& pixels, int spacing, int map) {
+    const Film& film = pixels.film;
     const int columns = (film.width() + spacing - 1) / spacing, rows = (film.height() + spacing - 1) / spacing;
     std::vector<bool> seeded(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), false);
     ChosenSurfels chosen;
-    for (std::size_t pixel = 0; pixel < counts.size(); ++pixel) {
+    for (std::size_t pixel = 0; pixel < pixels.counts.size(); ++pixel) {
         const int x = static_cast<int>(pixel) % film.width(), y = static_cast<int>(pixel) / film.width();
         const int cell = y / spacing * columns + x / spacing;
-        if (seeded[static_cast<std::size_t>(cell)] || (counts[pixel] & FILM_COUNT_MASK) == 0) continue;
+        if (seeded[static_cast<std::size_t>(cell)] || !pixels.shows(pixel)) continue;
         seeded[static_cast<std::size_t>(cell)] = true;
-        chosen.add(first[pixel], static_cast<uint>(pixel), glm::vec3(film.eye()));
+        chosen.add(pixels.first_surfel[pixel], static_cast<uint>(pixel), glm::vec3(film.eye()));
     }
     SurfacePencils seeds(kernels.device(), 1, map);
     place_surface_pencils(kernels, film.surfels(), chosen, seeds);
     return seeds;
 }
 
-FilmPencils::FilmPencils(Kernels& kernels, const Film& film, const FilmLattice& lattice)
+FilmPencils::FilmPencils(Kernels& kernels, const FilmPixels& film_pixels, const FilmLattice& lattice)
     : kernels_(kernels),
-      film_(film),
+      pixels_(film_pixels),
+      film_(film_pixels.film),
       lattice_(lattice),
-      counts_(film.counts().read()),
-      first_(film.first_surfel().read()),
-      at_(counts_.size(), -1),
+      at_(film_pixels.counts.size(), -1),
       pencil_at_(kernels.device(), at_, "film pencils by pixel"),
       pencils_(kernels.device(), 1, lattice.map),
       singles_(kernels.device(), 1, single_map),
-      single_at_(kernels.device(), std::vector<int>(static_cast<std::size_t>(film.surfels().capacity), -1),
+      single_at_(kernels.device(), std::vector<int>(static_cast<std::size_t>(film_.surfels().capacity), -1),
                  "single film pencils by surfel") {
     std::vector<int> pixels;
-    const int width = film.width(), height = film.height(), step = lattice.coarsest;
+    const int width = film_.width(), height = film_.height(), step = lattice.coarsest;
     for (int y = 0;; y = std::min(y + step, height - 1)) {
         for (int x = 0;; x = std::min(x + step, width - 1)) {
             pixels.push_back(y * width + x);
@@ -64,11 +69,11 @@ void FilmPencils::place(const std::vector<int>& pixels, int spacing) {
     int next = pencils_.count;
     for (int pixel : pixels) {
         const auto p = static_cast<std::size_t>(pixel);
-        if (at_[p] >= 0 || (counts_[p] & FILM_COUNT_MASK) == 0) continue;
+        if (at_[p] >= 0 || !pixels_.shows(p)) continue;
         at_[p] = next++;
-        chosen.add(first_[p], static_cast<uint>(pixel), glm::vec3(film_.eye()));
+        chosen.add(pixels_.first_surfel[p], static_cast<uint>(pixel), glm::vec3(film_.eye()));
     }
-    place_surface_pencils(kernels_, film_.surfels(), chosen, pencils_, static_cast<float>(spacing));
+    place_surface_pencils(kernels_, film_.surfels(), chosen, pencils_, spacing);
     pencil_at_.write(at_);
 }
 
@@ -78,10 +83,7 @@ std::vector<unsigned char> FilmPencils::uncovered(int spacing) {
     if (uncovered_.empty())
         uncovered_ = Buffer<unsigned char>(kernels_.device(), std::vector<unsigned char>(static_cast<std::size_t>(surfels.capacity), 1),
                                            "uncovered surfels");
-    kernels_.get("cover_film")
-        .args(surfels.data, surfels.capacity, film_.counts(), film_.first_surfel(), pencils_.data, pencil_at_, lattice_.coarsest, spacing,
-              lattice_.most_error, film_.width(), film_.height(), uncovered_)
-        .run(counts_.size(), "cover film");
+    cover_film(kernels_, film_surfels(), lattice(spacing), lattice_.most_error, uncovered_);
     return uncovered_.read(0, static_cast<std::size_t>(surfels.count));
 }
 
@@ -89,11 +91,11 @@ std::vector<unsigned char> FilmPencils::uncovered(int spacing) {
 std::vector<int> FilmPencils::finer_pixels(const std::vector<unsigned char>& uncovered, int spacing) const {
     const auto width = static_cast<std::size_t>(film_.width()), height = static_cast<std::size_t>(film_.height()),
                step = static_cast<std::size_t>(spacing);
-    std::vector<bool> wanted(counts_.size(), false);
+    std::vector<bool> wanted(at_.size(), false);
     for (std::size_t y = 0; y < height; ++y)
         for (std::size_t x = 0; x < width; ++x) {
             const std::size_t pixel = y * width + x;
-            const auto first = uncovered.begin() + first_[pixel], last = first + (counts_[pixel] & FILM_COUNT_MASK);
+            const auto first = uncovered.begin() + pixels_.first_surfel[pixel], last = first + pixels_.surfels(pixel);
             if (std::find(first, last, 1) == last) continue;
             const std::size_t left = x / step * step, top = y / step * step;
             for (std::size_t py = top; py <= top + step; py += step / 2)
@@ -114,7 +116,7 @@ void FilmPencils::refine(SurfaceSolver& solver, const TexelPoints& points) {
     gather();
     for (int spacing = lattice_.coarsest; spacing > 1 && !solver.stopped(); spacing /= 2) {
         const std::vector<int> pixels = finer_pixels(uncovered(spacing), spacing);
-        if (static_cast<double>(pixels.size()) > most_new * static_cast<double>(counts_.size())) {
+        if (static_cast<double>(pixels.size()) > most_new * static_cast<double>(at_.size())) {
             finest_ = spacing;
             break;
         }
@@ -130,27 +132,22 @@ void FilmPencils::refine(SurfaceSolver& solver, const TexelPoints& points) {
 void FilmPencils::place_singles(const std::vector<unsigned char>& uncovered) {
     ChosenSurfels chosen;
     std::vector<int> at(uncovered.size(), -1);
-    for (std::size_t pixel = 0; pixel < counts_.size(); ++pixel)
-        for (int k = 0; k < (counts_[pixel] & FILM_COUNT_MASK); ++k) {
-            const int i = first_[pixel] + k;
+    for (std::size_t pixel = 0; pixel < at_.size(); ++pixel)
+        for (int k = 0; k < pixels_.surfels(pixel); ++k) {
+            const int i = pixels_.first_surfel[pixel] + k;
             if (!uncovered[static_cast<std::size_t>(i)]) continue;
             at[static_cast<std::size_t>(i)] = static_cast<int>(chosen.surfels.size());
-            chosen.add(i, static_cast<uint>(pixel + static_cast<std::size_t>(k + 1) * counts_.size()), glm::vec3(film_.eye()));
+            chosen.add(i, static_cast<uint>(pixel + static_cast<std::size_t>(k + 1) * at_.size()), glm::vec3(film_.eye()));
         }
     place_surface_pencils(kernels_, film_.surfels(), chosen, singles_);
     single_at_.write(at);
 }
 
 void FilmPencils::project(Buffer<float>& outgoing) {
-    const Surfels& surfels = film_.surfels();
     Buffer<float4> fits(kernels_.device(), 3 * static_cast<std::size_t>(pencils_.count), "irradiance of film pencils");
-    kernels_.get("smooth_irradiance")
-        .args(pencils_.data, pencil_at_, lattice_.smooth, film_.width(), film_.height(), fits)
-        .run(counts_.size(), "smooth irradiance");
-    kernels_.get("project_film_pencils")
-        .args(surfels.data, surfels.capacity, film_.counts(), film_.first_surfel(), pencils_.data, fits, pencil_at_, lattice_.coarsest,
-              finest_, 2.0F * lattice_.most_error, singles_.data, single_at_, film_.width(), film_.height(), outgoing)
-        .run(counts_.size(), "project film pencils");
+    smooth_irradiance(kernels_, lattice(finest_), lattice_.smooth, film_.width(), film_.height(), fits);
+    project_film_pencils(kernels_, film_surfels(), lattice(finest_), fits, fade_errors * lattice_.most_error, {singles_, single_at_},
+                         outgoing);
 }
 
 }  // namespace pencil

@@ -2,9 +2,24 @@
 #pragma once
 
 #include "film/film.h"
+#include "shared/film.h"
+#include "surface/film_lattice.h"
 #include "surface/surface_solver.h"
 
 namespace pencil {
+
+/// What the pixels of a film show, on the host: read from the device once per film.
+struct FilmPixels {
+    explicit FilmPixels(const Film& film);
+
+    /// True if the pixel shows something; its first surfel then is first_surfel[pixel].
+    bool shows(std::size_t pixel) const { return surfels(pixel) > 0; }
+    int surfels(std::size_t pixel) const { return counts[pixel] & FILM_COUNT_MASK; }
+
+    const Film& film;
+    std::vector<unsigned char> counts;
+    std::vector<int> first_surfel;
+};
 
 struct FilmLattice {
     int coarsest;      // spacing [pixels]
@@ -14,11 +29,12 @@ struct FilmLattice {
 };
 
 /// A pencil for each cell of spacing x spacing pixels that shows something, on the first of its surfels, with maps of map x map texels.
-SurfacePencils seed_pencils(Kernels& kernels, const Film& film, int spacing, int map);
+SurfacePencils seed_pencils(Kernels& kernels, const FilmPixels& pixels, int spacing, int map);
 
 class FilmPencils {
 public:
-    FilmPencils(Kernels& kernels, const Film& film, const FilmLattice& lattice);
+    /// `pixels` must outlive the pencils.
+    FilmPencils(Kernels& kernels, const FilmPixels& pixels, const FilmLattice& lattice);
 
     /// Gathers, refines, gathers.
     void refine(SurfaceSolver& solver, const TexelPoints& points);
@@ -30,18 +46,19 @@ public:
 
 private:
     void place(const std::vector<int>& pixels, int spacing);
+    FilmSurfels film_surfels() const { return {film_.surfels(), film_.counts(), film_.first_surfel(), film_.width(), film_.height()}; }
+    PencilLattice lattice(int finest) const { return {pencils_, pencil_at_, lattice_.coarsest, finest}; }
     std::vector<unsigned char> uncovered(int spacing);
     std::vector<int> finer_pixels(const std::vector<unsigned char>& uncovered, int spacing) const;
     void place_singles(const std::vector<unsigned char>& uncovered);
 
     Kernels& kernels_;
+    const FilmPixels& pixels_;
     const Film& film_;
     FilmLattice lattice_;
-    int finest_ = 1;  // spacing that refine() went down to
-    std::vector<unsigned char> counts_;
-    std::vector<int> first_;
-    std::vector<int> at_;
-    Buffer<int> pencil_at_;
+    int finest_ = 1;         // spacing that refine() went down to
+    std::vector<int> at_;    // pencil by pixel, -1: none
+    Buffer<int> pencil_at_;  // the same on the device
     SurfacePencils pencils_;
     Buffer<unsigned char> uncovered_;  // by surfel
     SurfacePencils singles_;           // of surfels that the finest lattice leaves uncovered

@@ -1,5 +1,7 @@
 #include "surface/surface_method.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -97,7 +99,7 @@ bool SurfaceMethod::advance() {
         lit = add_pass(now);
     } catch (const MemoryError& error) {
         if (mean_.count() == 0) throw;
-        context_.stats.warnings.push_back("stopped after " + std::to_string(mean_.count()) + " passes: " + error.what());
+        context_.stats.warnings.push_back(fmt::format("stopped after {} passes: {}", mean_.count(), error.what()));
         return false;
     }
     const double time = context_.clock.seconds(), pace = (time - begun_) / now.work;
@@ -121,7 +123,7 @@ bool SurfaceMethod::add_pass(const SurfacePass& pass) {
 }
 
 /// The world set of the passes from this one on, from what its frame shows.
-void SurfaceMethod::solve_world(const SurfacePass& pass) {
+void SurfaceMethod::solve_world(const SurfacePass& pass, const FilmPixels& pixels) {
     const auto& device = context_.kernels.device();
     const std::uint64_t seed = hash64(hash64(context_.options.seed) + static_cast<std::uint64_t>(pass.world_set) + 1);
     const std::vector<LightSample> samples = sample_lights(context_.scene, context_.flat, context_.forms, pass.texel_light_samples, seed);
@@ -133,7 +135,7 @@ void SurfaceMethod::solve_world(const SurfacePass& pass) {
     solver_ = std::make_unique<SurfaceSolver>(context_.kernels, context_.device_scene, context_.flat, std::move(lights), pass.world,
                                               context_.clock, static_cast<uint>(seed >> 32));
     const int spacing = seed_spacing * coarsest_spacing(context_.flat.camera);
-    solver_->solve(seed_pencils(context_.kernels, frame_->film(), spacing, film_map), context_.options.bounces, context_.options.tolerance);
+    solver_->solve(seed_pencils(context_.kernels, pixels, spacing, film_map), context_.options.bounces, context_.options.tolerance);
     context_.stats.world_pencils += static_cast<std::uint64_t>(solver_->world().count);
     context_.stats.residual = solver_->residual();
     world_set_ = pass.world_set;
@@ -143,8 +145,9 @@ void SurfaceMethod::solve_world(const SurfacePass& pass) {
 void SurfaceMethod::add_bounces(const SurfacePass& pass, const Turn& turn) {
     if (!context_.wanted(1)) return;
     if (frame_->film().surfels().count == 0) return frame_->finish_bounce(FilmLayers::indirect, 0, 0);  // passes have the same layers
-    if (pass.world_set != world_set_) solve_world(pass);
-    FilmPencils film(context_.kernels, frame_->film(), pass.lattice);
+    const FilmPixels pixels(frame_->film());
+    if (pass.world_set != world_set_) solve_world(pass, pixels);
+    FilmPencils film(context_.kernels, pixels, pass.lattice);
     const TexelPoints points{static_cast<uint>(turn.seed >> 32), static_cast<uint>(turn.index)};
     context_.clock.run("film pencils", [&] { film.refine(*solver_, points); });
     context_.stats.film_pencils += static_cast<std::uint64_t>(film.count());

@@ -46,7 +46,7 @@ public:
 private:
     bool add_pass(const SurfacePass& pass);
     void add_bounces(const SurfacePass& pass, const Turn& turn);
-    void solve_world(const SurfacePass& pass);
+    void solve_world(const SurfacePass& pass, const FilmPixels& pixels);
     bool enough(double pace);
     SurfacePass pass(int index) const { return surface_pass(index, context_.options, context_.flat.camera, emitters_); }
 

@@ -1,135 +1,19 @@
 #include "surface/surface_pencils.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstring>
-
-#include "pencils/low_discrepancy.h"
 
 namespace pencil {
-
-namespace {
-
-/// Cells along the longest axis of the grid at most.
-constexpr double most_cells = 64;
-
-glm::ivec3 cell_of(const PencilGrid& grid, const glm::vec3& p) {
-    const glm::ivec3 cell((p - glm::vec3(grid.low)) * grid.low.w);
-    return glm::clamp(cell, glm::ivec3(0), glm::ivec3(grid.size_x, grid.size_y, grid.size_z) - 1);
-}
-
-/// Calls visit(cell index) for the cells that a pencil's radius reaches.
-template <typename Visit>
-void for_cells(const PencilGrid& grid, const SurfacePencil& pencil, Visit visit) {
-    const glm::vec3 radius(pencil.normal.w), at(pencil.position);
-    const glm::ivec3 low = cell_of(grid, at - radius), high = cell_of(grid, at + radius);
-    for (int z = low.z; z <= high.z; ++z)
-        for (int y = low.y; y <= high.y; ++y)
-            for (int x = low.x; x <= high.x; ++x) {
-                const int cell = (z * grid.size_y + y) * grid.size_x + x;
-                visit(static_cast<std::size_t>(cell));
-            }
-}
-
-}  // namespace
-
-DeviceGrid::DeviceGrid(const std::shared_ptr<Device>& device, const SurfacePencils& set, const FlatScene& flat) {
-    const std::vector<SurfacePencil> pencils = set.data.read(0, static_cast<std::size_t>(set.count));
-    const glm::vec3 extent(flat.high - flat.low);
-    float size = std::max({extent.x, extent.y, extent.z}) / static_cast<float>(most_cells);
-    for (const SurfacePencil& p : pencils) size = std::max(size, 0.5F * p.normal.w);
-    grid.low = float4(glm::vec3(flat.low), 1.0F / size);
-    const glm::ivec3 cells = glm::ivec3(extent / size) + 1;
-    grid.size_x = cells.x;
-    grid.size_y = cells.y;
-    grid.size_z = cells.z;
-    const auto width = static_cast<std::size_t>(device->packet_width());
-    std::vector<int> count(static_cast<std::size_t>(cells.x * cells.y * cells.z), 0), start(count.size() + 1, 0);
-    for (const SurfacePencil& p : pencils) for_cells(grid, p, [&](std::size_t cell) { ++count[cell]; });
-    for (std::size_t c = 0; c < count.size(); ++c)
-        start[c + 1] = start[c] + (count[c] + static_cast<int>(width) - 1) / static_cast<int>(width);
-    std::vector<float> entry(std::max<std::size_t>(static_cast<std::size_t>(start.back()), 1) * ENTRY_FIELDS * width, 0.0F);
-    for (std::size_t i = pencils.size(); i-- > 0;)
-        for_cells(grid, pencils[i], [&](std::size_t cell) {
-            const auto at = static_cast<std::size_t>(--count[cell]);
-            float* block = entry.data() + (static_cast<std::size_t>(start[cell]) + at / width) * ENTRY_FIELDS * width + at % width;
-            const SurfacePencil& p = pencils[i];
-            const float values[] = {p.position.x, p.position.y, p.position.z, p.normal.w, p.normal.x, p.normal.y, p.normal.z};
-            for (std::size_t f = 0; f < ENTRY_PENCIL; ++f) block[f * width] = values[f];
-            const int index = static_cast<int>(i);
-            std::memcpy(block + ENTRY_PENCIL * width, &index, sizeof(index));
-        });
-    starts = Buffer<int>(device, start, "grid of surface pencils");
-    entries = Buffer<float>(device, entry, "entries of the grid");
-}
 
 void SurfacePencils::reserve(const std::shared_ptr<Device>& device, std::size_t more) {
     const std::size_t needed = static_cast<std::size_t>(count) + more;
     if (needed <= data.size()) return;
-    Buffer<SurfacePencil> larger(device, std::max(needed, 2 * data.size()), "surface pencils");
-    if (count > 0) larger.copy_from(data, 0, 0, static_cast<std::size_t>(count));
-    data = std::move(larger);
-}
-
-void place_surface_pencils(Kernels& kernels, const Surfels& surfels, const ChosenSurfels& chosen, SurfacePencils& pencils, float spacing) {
-    const std::size_t count = chosen.surfels.size();
-    if (count == 0) return;
-    pencils.reserve(kernels.device(), count);
-    const Buffer<int> ids(kernels.device(), chosen.surfels, "chosen surfels");
-    const Buffer<uint> keys(kernels.device(), chosen.keys, "keys of chosen surfels");
-    const Buffer<float4> views(kernels.device(), chosen.views, "views of chosen surfels");
-    kernels.get("place_surface_pencils")
-        .args(surfels.data, surfels.capacity, ids, keys, views, static_cast<int>(count), spacing, pencils.count, pencils.data)
-        .run(count, "place surface pencils");
-    pencils.count += static_cast<int>(count);
-}
-
-void trace_hemispheres(Kernels& kernels, const DeviceScene& scene, const SurfacePencils& pencils, int first, int count,
-                       const TexelPoints& points, Surfels& surfels, int first_surfel) {
-    const int texels = count * pencils.texels();
-    surfels.count = first_surfel + texels;
-    kernels.get("trace_hemispheres")
-        .args(pencils.data, first, count, pencils.n, points.seed, sobol_2d(points.turn), scene.nodes, scene.leaves, scene.triangles,
-              scene.planes, scene.materials, scene.normals, surfels.data, surfels.capacity, first_surfel)
-        .run(kernels.packets(texels), "trace hemispheres");
-}
-
-void measure_hemispheres(Kernels& kernels, const Surfels& surfels, int first_surfel, int first, int count, SurfacePencils& pencils) {
-    kernels.get("measure_hemispheres")
-        .args(surfels.data, surfels.capacity, first_surfel, first, count, pencils.n, pencils.data)
-        .run(static_cast<std::size_t>(count), "measure hemispheres", 8);
-}
-
-void emit_hemispheres(Kernels& kernels, const DeviceScene& scene, const Surfels& surfels, const SurfacePencils& pencils, int first,
-                      const Buffer<float>& near_area, Buffer<float>& radiance) {
-    kernels.get("emit_hemispheres")
-        .args(surfels.data, surfels.capacity, surfels.count, pencils.data, first, pencils.n, scene.materials, near_area, radiance)
-        .run(static_cast<std::size_t>(surfels.count), "emission");
-}
-
-void sum_hemispheres(Kernels& kernels, const Buffer<float>& radiance, int capacity, int first_surfel, int first, int count,
-                     SurfacePencils& pencils) {
-    kernels.get("sum_hemispheres")
-        .args(radiance, capacity, first_surfel, first, count, pencils.n, pencils.data)
-        .run(static_cast<std::size_t>(count), "sum hemispheres", 8);
-}
-
-SurfaceLinks link_surfels(Kernels& kernels, const Surfels& surfels, const SurfacePencils& pencils, const DeviceGrid& grid) {
-    const auto count = static_cast<std::size_t>(surfels.count);
-    SurfaceLinks links{Buffer<glm::ivec4>(kernels.device(), count, "links of surfels"),
-                       Buffer<float4>(kernels.device(), count, "link weights of surfels")};
-    kernels.get("link_surfels")
-        .args(surfels.data, surfels.capacity, surfels.count, pencils.data, grid.grid, grid.starts, grid.entries, links.pencils,
-              links.weights)
-        .run(count, "link surfels");
-    return links;
-}
-
-void project_surface_pencils(Kernels& kernels, const Surfels& surfels, const SurfacePencils& pencils, const DeviceGrid& grid,
-                             Buffer<float>& outgoing) {
-    kernels.get("project_surface_pencils")
-        .args(surfels.data, surfels.capacity, surfels.count, pencils.data, grid.grid, grid.starts, grid.entries, outgoing)
-        .run(static_cast<std::size_t>(surfels.count), "project surface pencils");
+    SurfacePencils larger(device, static_cast<int>(std::max(needed, 2 * data.size())), n);
+    if (count > 0) {
+        larger.data.copy_from(data, 0, 0, static_cast<std::size_t>(count));
+        larger.irradiance.copy_from(irradiance, 0, 0, static_cast<std::size_t>(count));
+    }
+    data = std::move(larger.data);
+    irradiance = std::move(larger.irradiance);
 }
 
 }  // namespace pencil

@@ -3,25 +3,34 @@
 #include <algorithm>
 #include <glm/gtx/component_wise.hpp>
 
-#include "pencils/low_discrepancy.h"
 #include "film/bounce_series.h"
-#include "film/light_surfels.h"
+#include "pencils/low_discrepancy.h"
+#include "surface/close_series.h"
+#include "surface/emit_hemispheres.h"
+#include "surface/measure_hemispheres.h"
+#include "surface/project_surface_pencils.h"
+#include "surface/sample_lights.h"
+#include "surface/sum_hemispheres.h"
+#include "surface/transport_irradiance.h"
 
 namespace pencil {
 
 namespace {
 
-/// Texels that are worked on at once: bounds memory and the length of a launch.
+/// Texels that are worked on at once: bounds memory (18 MB) and the length of a launch.
 constexpr int chunk_surfels = 1 << 18;
+/// Bounces of the world set at most. The tail closes what is left of them.
 constexpr int most_iterations = 512;
+/// Bounces from which on the series is geometric enough to stop: light of the samples joins in the first, and ratios need two more.
+constexpr int least_iterations = 3;
 /// Light samples that a packet of texels chooses from.
 constexpr int most_candidates = 24;
 /// The world's bounces stop at this share of the tolerance of the image.
 constexpr double tolerance_share = 0.1;
 
-glm::dvec3 power(const std::vector<float4>& irradiance) {
+glm::dvec3 power(const Buffer<float4>& irradiance) {
     glm::dvec3 sum(0);
-    for (const float4& e : irradiance) sum += glm::dvec3(e);
+    for (const float4& e : irradiance.read()) sum += glm::dvec3(e);
     return sum;
 }
 
@@ -47,7 +56,7 @@ void SurfaceSolver::solve(const SurfacePencils& seeds, int orders, double tolera
 /// Room for the texels of one chunk.
 void SurfaceSolver::reserve(int texels) {
     if (surfels_.capacity >= texels) return;
-    surfels_ = Surfels(kernels_.device(), texels, "surfels of surface pencils");
+    surfels_ = Surfels(kernels_, texels, "surfels of surface pencils");
     outgoing_ = surfel_rgb(kernels_.device(), surfels_.capacity, "radiance to surface pencils");
 }
 
@@ -70,55 +79,43 @@ void SurfaceSolver::gather(SurfacePencils& pencils, int first, int count, const 
         emit_hemispheres(kernels_, scene_, surfels_, pencils, at, lights_.near_film, outgoing_);
         if (direct_) light(surfels_, outgoing_, static_cast<uint>(hash64((std::uint64_t{seed_} << 32) + ++gathers_) >> 32));
         if (world_.pencils().count > 0) project_surface_pencils(kernels_, surfels_, world_.pencils(), world_.grid(), outgoing_);
-        sum_hemispheres(kernels_, outgoing_, surfels_.capacity, 0, at, part, pencils);
+        sum_hemispheres(kernels_, outgoing_, surfels_.capacity, 0, at, part, pencils.n, pencils.irradiance);
     }
 }
 
 /// Irradiance of all pencils of the world set from emitters near them, or from reflected light of the light samples.
-std::vector<float4> SurfaceSolver::irradiance(bool emission, bool direct) {
-    SurfacePencils& pencils = world_.pencils();
-    if (pencils.count == 0) return {};
+void SurfaceSolver::sum_light(bool emission, bool direct, Buffer<float4>& irradiance) {
+    const SurfacePencils& pencils = world_.pencils();
     Buffer<float> outgoing = surfel_rgb(kernels_.device(), world_.surfels().capacity, "radiance to the world set");
     if (emission) emit_hemispheres(kernels_, scene_, world_.surfels(), pencils, 0, lights_.near_texel, outgoing);
     if (direct) light(world_.surfels(), outgoing, seed_);
-    sum_hemispheres(kernels_, outgoing, world_.surfels().capacity, 0, 0, pencils.count, pencils);
-    std::vector<float4> values;
-    for (const SurfacePencil& p : pencils.data.read(0, static_cast<std::size_t>(pencils.count))) values.push_back(p.irradiance);
-    return values;
+    sum_hemispheres(kernels_, outgoing, world_.surfels().capacity, 0, 0, pencils.count, pencils.n, irradiance);
 }
 
 /// Step k is irradiance that the film's pencils reflect as order k + 2: it starts with emission, and reflected light of the
-/// light samples joins in step 1.
+/// light samples joins in step 1. The world's irradiance grows to the sum of all steps.
 void SurfaceSolver::iterate(int orders, double tolerance) {
-    const int count = world_.pencils().count;
+    SurfacePencils& world = world_.pencils();
+    const auto count = static_cast<std::size_t>(world.count);
     if (count == 0) return;
-    const auto& device = kernels_.device();
-    const std::vector<float4> dark(static_cast<std::size_t>(count), float4(0));
-    const std::vector<float4> emitted = irradiance(true, false);
-    const std::vector<float4> lit = lights_.samples.maps.count > 0 && orders != 2 ? irradiance(false, true) : dark;
-    Buffer<float4> source(device, emitted, "irradiance"), target(device, dark, "irradiance"),
-        total(device, emitted, "irradiance of all bounces");
+    Buffer<float4> source(kernels_.device(), count, "irradiance of a bounce"), target(kernels_.device(), count, "irradiance of a bounce");
+    sum_light(true, false, source);
+    world.irradiance.copy_from(source, 0, 0, count);
     BounceSeries series;
-    series.add(power(emitted));
+    series.add(power(source));
     for (int k = 1; k < most_iterations && (orders < 0 || k + 2 <= orders); ++k) {
         target.fill_zero();
-        if (k == 1) target.write(lit);
-        kernels_.get("transport_irradiance")
-            .args(world_.surfels().data, world_.surfels().capacity, world_.links().pencils, world_.links().weights, count,
-                  world_.pencils().n, source, target, total)
-            .run(static_cast<std::size_t>(count), "transport irradiance", 8);
+        if (k == 1 && lights_.samples.maps.count > 0) sum_light(false, true, target);
+        transport_irradiance(kernels_, world_.surfels(), world_.links(), world.count, world.n, source, target, world.irradiance);
         std::swap(source, target);
         // The series begins where all light has joined it.
         if (k == 1) series = {};
-        series.add(power(source.read()));
-        if (orders < 0 && k >= 3 && series.last_share() <= tolerance * tolerance_share) break;
+        series.add(power(source));
+        if (orders < 0 && k >= least_iterations && series.last_share() <= tolerance * tolerance_share) break;
     }
     const glm::vec3 tail = orders < 0 ? glm::vec3(series.tail_factor()) : glm::vec3(0);
     residual_ = glm::compMax(glm::dvec3(tail)) * series.last_share();
-    std::vector<SurfacePencil> pencils = world_.pencils().data.read(0, static_cast<std::size_t>(count));
-    const std::vector<float4> all = total.read(), rest = source.read();
-    for (std::size_t i = 0; i < pencils.size(); ++i) pencils[i].irradiance = all[i] + float4(tail, 0) * rest[i];
-    world_.pencils().data.write(pencils);
+    if (orders < 0) close_series(kernels_, source, tail, world.count, world.irradiance);
 }
 
 }  // namespace pencil

@@ -1,6 +1,7 @@
 // Light of surface pencils: the world set's irradiance after all bounces, and what film pencils gather from it.
 #pragma once
 
+#include "device/pencil_set.h"
 #include "device/stage_clock.h"
 #include "surface/world_set.h"
 
@@ -35,7 +36,7 @@ public:
     double residual() const { return residual_; }
 
 private:
-    std::vector<float4> irradiance(bool emission, bool direct);
+    void sum_light(bool emission, bool direct, Buffer<float4>& irradiance);
     void light(const Surfels& surfels, Buffer<float>& outgoing, uint seed);
     void iterate(int orders, double tolerance);
     void reserve(int texels);

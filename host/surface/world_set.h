@@ -3,7 +3,10 @@
 #pragma once
 
 #include "pencils/thin_points.h"
-#include "surface/surface_pencils.h"
+#include "surface/link_surfels.h"
+#include "surface/place_surface_pencils.h"
+#include "surface/seen_points.h"
+#include "surface/trace_hemispheres.h"
 
 namespace pencil {
 
@@ -23,10 +26,10 @@ public:
     const SurfaceLinks& links() const { return links_; }  // of the surfels
 
 private:
-    ChosenSurfels choose(const Surfels& surfels, int first, const std::vector<bool>& skip, const SurfacePencils& viewers,
-                         PointThinner& thinner) const;
+    ChosenSurfels choose(const SeenPoints& seen, int first, const std::vector<bool>& skip, PointThinner& thinner) const;
     int extend(const Surfels& surfels, const ChosenSurfels& chosen);
-    int fill(const Surfels& surfels, const SurfaceLinks& links, const SurfacePencils& viewers, PointThinner& thinner);
+    int fill(const Surfels& surfels, const SeenPoints& seen, const SurfaceLinks& links, PointThinner& thinner);
+    void link();
 
     Kernels& kernels_;
     const DeviceScene& scene_;
@@ -36,6 +39,7 @@ private:
     float spacing_;
     SurfacePencils pencils_;
     Surfels surfels_;
+    SeenPoints seen_;  // host copies of both
     DeviceGrid grid_;
     SurfaceLinks links_;
 };

@@ -1,8 +1,7 @@
 // Octahedral tiles lie one after the other in one buffer. A tile of SIZE x SIZE texels is stored with a gutter of one texel on every side,
 // filled by folding, so that bilinear look-ups never leave it:
 //   texel (x, y) of tile t, 0 <= x, y < SIZE  ->  t * STRIDE^2 + (y + 1) * STRIDE + (x + 1),   STRIDE = SIZE + 2
-#ifndef PENCIL_SHARED_ATLAS_H
-#define PENCIL_SHARED_ATLAS_H
+#pragma once
 
 #define PENCIL_GUTTER 1
 #define PENCIL_TILE_STRIDE(size) ((size) + 2 * PENCIL_GUTTER)
@@ -14,8 +13,7 @@
 //   (a, CELL_PAIR(b))   it shows a and b; a surfel on one of them is seen if it is not behind the other
 //   (CELL_MIXED, same)  three planes or more; or two walls that meet, with a third next to them that reaches in between the texels
 #define CELL_MIXED (-2)
+#define MOST_GROUPS 4           // of triangles about a footprint that are stored: an int4
 #define GROUP_INNER 0x40000000  // of a group of triangles about a footprint: a texel of the footprint itself shows it
 #define GROUP_TRIANGLE(group) ((group) < 0 ? (group) : (group) & ~GROUP_INNER)
 #define CELL_PAIR(plane) (-3 - (plane))  // its own inverse
-
-#endif

@@ -1,11 +1,12 @@
 // Scene geometry as the kernels see it, in normalised scene units: the scene is recentred in double precision and scaled by a power
 // of two until its largest extent is in (1, 2], so rounding errors have one known size whatever the scene's own units are.
-#ifndef PENCIL_SHARED_GEOMETRY_H
-#define PENCIL_SHARED_GEOMETRY_H
+#pragma once
 
-#ifndef __OPENCL_C_VERSION__
 #include "shared/types.h"
-#endif
+
+// The two counts in Triangle.mates.
+#define MATES_BEFORE(mates) ((mates)&0xff)
+#define MATES_AFTER(mates) ((mates) >> 8)
 
 PENCIL_SHARED_BEGIN
 
@@ -21,12 +22,6 @@ typedef struct Triangle {
     //------------------------------------------------- 64 B
 } Triangle;
 
-typedef struct Material {
-    float4 albedo;    // rgb: diffuse reflectance in [0, 1]; w: 1 if both sides reflect, else 0
-    float4 emission;  // rgb: emitted radiance of the front side [W m^-2 sr^-1]; w: 1 if the pencil maps carry it (thesis 6.1.3)
-    //------------------------------------------------- 32 B
-} Material;
-
 // What a ray through a texel or pixel meets first. "Disparity" is the reciprocal of the ray parameter t of the hit, for a direction of
 // unit L1 norm (octahedral tiles) or for the camera's own direction (film). Disparity is affine in the texel coordinates on a plane.
 typedef struct Hit {
@@ -35,5 +30,3 @@ typedef struct Hit {
 } Hit;
 
 PENCIL_SHARED_END
-
-#endif

@@ -1,10 +1,8 @@
-// A pencil on a surface: the hemisphere seen from a surfel, summed to its irradiance, and how far that irradiance may be reused.
-#ifndef PENCIL_SHARED_SURFACE_PENCIL_H
-#define PENCIL_SHARED_SURFACE_PENCIL_H
+// A pencil on a surface: the hemisphere seen from a surfel, and how far its irradiance may be reused. The irradiance itself is in a buffer
+// beside the pencils: irradiance[pencil], rgb [W m^-2], w 0.
+#pragma once
 
-#ifndef __OPENCL_C_VERSION__
 #include "shared/types.h"
-#endif
 
 #define RING_SECTORS 8         // of azimuth about the normal
 #define LINK_LAST_RESORT (-2)  // second link of a surfel whose first pencil stands for it only because no other does
@@ -12,20 +10,20 @@
 PENCIL_SHARED_BEGIN
 
 typedef struct SurfacePencil {
-    float4 position;    // xyz [scene units]; w: harmonic mean of the distances seen [scene units], INFINITY if nothing is
-    float4 normal;      // xyz: unit shading normal of the seen side; w: radius within which it may be used [scene units]
-    float4 facing;      // xyz: unit geometric normal of that side; w unused
-    float4 irradiance;  // rgb [W m^-2]; w unused
-    //------------------------------------------------- 64 B
+    float4 position;  // xyz [scene units]; w: harmonic mean of the distances seen [scene units], INFINITY if nothing is
+    float4 normal;    // xyz: unit shading normal of the seen side; w: radius within which it may be used [scene units]
+    float4 facing;    // xyz: unit geometric normal of that side; w unused
+    //------------------------------------------------- 48 B
     // What stands at the horizon of each sector, the nearest plane and then the next: points p of the tangent plane with
     // p.x horizon_x + p.y horizon_y >= 1 are behind it; 0 if there is none [1 / scene units]
     float horizon_x[2 * RING_SECTORS];
     float horizon_y[2 * RING_SECTORS];
+    //------------------------------------------------- 176 B
+    int plane;    // of the surface that it lies on: index into planes
+    uint key;     // decides where in its texels the points lie that it sees
+    int spacing;  // at which it joined the lattice of film pencils [pixels]; 0 if it lies on none
+    int unused;
     //------------------------------------------------- 192 B
-    int plane;  // of the surface that it lies on: index into planes
-    uint key;   // decides where in its texels the points lie that it sees
-    int unused[2];
-    //------------------------------------------------- 208 B
 } SurfacePencil;
 
 // Pencils sorted into the cells of a grid over the scene; a pencil is in every cell that its radius reaches. A cell is a run of blocks of
@@ -50,5 +48,3 @@ typedef struct PencilGrid {
 #define ENTRY_FIELDS 8
 
 PENCIL_SHARED_END
-
-#endif

@@ -1,4 +1,4 @@
-// Three ways to make geometry maps (transport/visibility_path.h), over scenes of few and of many triangles. They are compared with each
+// Three ways to make geometry maps (visibility/visibility_path.h), over scenes of few and of many triangles. They are compared with each
 // other, not with a native loop. Time is the device's for the hits alone: folding is the same for all. Counter `prepare`: seconds of the
 // host for clusters or hierarchy, once per scene.
 #include <algorithm>

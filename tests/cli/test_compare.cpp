@@ -94,6 +94,50 @@ TEST_F(Compare, LayersOfRenders) {
     EXPECT_NE(result.err.find("different scenes"), std::string::npos);
 }
 
+TEST_F(Compare, BlackLayersAndUndefinedValues) {
+    const std::string black = constant("black.exr", "0,0,0"), grey = constant("grey.exr", "0.5,0.5,0.5");
+    const Json equal = compare({black, black})["layers"][0];
+    EXPECT_EQ(equal["rel_mse"], 0);
+    EXPECT_EQ(equal["mean_ratio"], 1);
+    EXPECT_TRUE(equal["undefined"].is_null());
+    const Json differing = compare({grey, black})["layers"][0];
+    EXPECT_EQ(differing["rmse"], 0.5);
+    EXPECT_TRUE(differing["rel_mse"].is_null());
+    EXPECT_TRUE(differing["mean_ratio"].is_null());
+    EXPECT_EQ(differing["undefined"], "the mean of the reference is 0");
+    for (const std::string& image : {black, grey}) {
+        result = run_pencil({"compare", image, black});
+        EXPECT_EQ(result.out.find("nan"), std::string::npos) << result.out;
+        EXPECT_EQ(result.out.find("-: not defined in beauty: the mean of the reference is 0") != std::string::npos, image == grey)
+            << result.out;
+    }
+}
+
+/// The render closes its series where it has converged, the reference sums from order 16 on. A closed room: paths get that long.
+TEST_F(Compare, TailsOfRenderAndReference) {
+    const std::string scene = PENCIL_SOURCE_DIR "/scenes/furnace.xml", size = "16x16", bright = "albedo=0.8";
+    const std::string image = (folder / "image.exr").string(), truth = (folder / "truth.exr").string();
+    std::vector<std::string> arguments{"render", scene, "--quiet", "--method", "line", "--resolution", size, "-D", bright, "-o", image};
+    arguments.insert(arguments.end(), quick().begin(), quick().end());
+    ASSERT_EQ(run_pencil(arguments).code, 0);
+    ASSERT_EQ(run_pencil({"reference", scene, "--quiet", "--spp", "64", "--resolution", size, "-D", bright, "-o", truth}).code, 0);
+    const Json json = compare({image, truth});
+    const auto tail_of = [](const Json& names) {
+        for (const std::string name : names) {
+            if (name.rfind("tail", 0) == 0) {
+                return name;
+            }
+        }
+        return std::string();
+    };
+    const std::string ours = tail_of(json["only_in_image"]);
+    ASSERT_FALSE(ours.empty()) << json.dump(1);
+    EXPECT_NE(ours, "tail16");
+    const std::string last = "bounce" + std::to_string(std::stoi(ours.substr(4)) - 1);
+    EXPECT_NE(image_info(image).find(last + ".R"), std::string::npos) << "the tail begins after " << last;
+    EXPECT_EQ(tail_of(json["only_in_reference"]), "tail16");
+}
+
 TEST_F(Compare, DifferenceImage) {
     const std::string a = constant("a.exr", "1.1,1.1,1.1"), b = constant("b.exr", "1,1,1");
     const std::string difference = (folder / "d.png").string();

@@ -100,10 +100,37 @@ TEST_F(Converge, AnInterruptionLosesNoFinishedRun) {
     EXPECT_FALSE(summary()["finished"].get<bool>());
     EXPECT_NE(read_text(out / "index.html").find("Unfinished"), std::string::npos);
 
+    std::filesystem::remove(out / "points.csv");  // a result: what goes on is in runs.jsonl
     const RunResult resumed = run_pencil(arguments({"--longest", "0.3", "--seeds", "2", "--quiet"}));
     ASSERT_EQ(resumed.code, 0) << resumed.err;
     EXPECT_EQ(read_text(out / "points.csv").rfind(before, 0), 0U);
     EXPECT_TRUE(summary()["finished"].get<bool>());
+}
+
+TEST_F(Converge, ACrashLosesOneRunAtMost) {
+    const std::vector<std::string> short_run{"--longest", "0.1", "--seeds", "1", "--quiet"};
+    ASSERT_EQ(run_pencil(arguments(short_run)).code, 0);
+    const std::filesystem::path runs = out / "runs.jsonl";
+    const std::string all = read_text(runs);
+    std::filesystem::resize_file(runs, all.size() - 10);
+    const RunResult resumed = run_pencil(arguments(short_run));
+    EXPECT_EQ(resumed.code, 0) << resumed.err;
+    EXPECT_NE(resumed.err.find("the line was cut off; its run is measured again"), std::string::npos) << resumed.err;
+    const std::vector<std::string> before = lines_of(all), after = lines_of(read_text(runs));
+    ASSERT_EQ(after.size(), before.size());
+    EXPECT_TRUE(std::equal(before.begin(), before.end() - 1, after.begin())) << "whole lines stay";
+    EXPECT_EQ(Json::parse(after.back())["method"], Json::parse(before.back())["method"]);
+    EXPECT_EQ(points().size(), 1 + after.size());
+}
+
+TEST_F(Converge, AFolderOfAnOlderVersionIsRefused) {
+    const std::vector<std::string> short_run{"--longest", "0.05", "--seeds", "1", "--quiet"};
+    ASSERT_EQ(run_pencil(arguments(short_run)).code, 0);
+    std::filesystem::remove(out / "runs.jsonl");
+    const RunResult refused = run_pencil(arguments(short_run));
+    EXPECT_EQ(refused.code, 2) << refused.err;
+    EXPECT_NE(refused.err.find("made by an older version of pencil"), std::string::npos) << refused.err;
+    EXPECT_NE(refused.err.find("use another folder"), std::string::npos) << refused.err;
 }
 
 TEST_F(Converge, AGivenReference) {

@@ -34,6 +34,17 @@ TEST_F(DeviceBuffer, RoundTripWholeAndInParts) {
     }
 }
 
+TEST_F(DeviceBuffer, RowsComeInOneTransfer) {
+    Buffer<int> buffer(device, numbers(20), "numbers");
+    EXPECT_EQ(buffer.read_rows(0, 5, 4, 5), numbers(20));
+    EXPECT_EQ(buffer.read_rows(1, 5, 3, 2), (std::vector<int>{2, 3, 7, 8, 12, 13}));
+    EXPECT_EQ(buffer.read_rows(8, 5, 3, 2), (std::vector<int>{9, 10, 14, 15, 19, 20})) << "from the second row on";
+    EXPECT_EQ(buffer.read_rows(19, 20, 1, 1), std::vector<int>{20});
+    EXPECT_TRUE(buffer.read_rows(0, 5, 4, 0).empty());
+    EXPECT_THROW(buffer.read_rows(9, 5, 3, 2), std::out_of_range);
+    EXPECT_THROW(buffer.read_rows(0, 5, 2, 6), std::out_of_range) << "rows overlap";
+}
+
 TEST_F(DeviceBuffer, EmptyIsAllowed) {
     Buffer<float> buffer(device, std::vector<float>{}, "no lights");
     EXPECT_TRUE(buffer.empty());

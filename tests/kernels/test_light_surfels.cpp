@@ -1,7 +1,5 @@
 // Direct light against thesis alg. 6.2: in an empty box against the whole truth, among occluders with the visibility that the maps give.
-#include <numeric>
-
-#include "kernels/kernel_test.h"
+#include "kernels/light_test.h"
 #include "reference/direct_ref.h"
 #include "reference/tolerances.h"
 #include "reference/transport_ref.h"
@@ -12,20 +10,6 @@ namespace {
 
 using namespace pencil;
 using namespace pencil::test;
-
-/// Point lights in the room and area samples; the area samples hang in the air, so they have no plane.
-std::vector<LightSample> random_lights(Random& random, int count) {
-    std::vector<LightSample> out;
-    for (int i = 0; i < count; ++i) {
-        LightSample s{};
-        const bool area = random.uniform() < 0.7;
-        s.position = to_float4(random.in_box(-0.7, 0.7), area ? 1.0 : 0.0);
-        if (area) s.normal = to_float4(random.direction(), std::pow(10.0, random.uniform(-5, -1)));
-        s.emission = to_float4(random.in_box(0.1, 4.0), -1.0);
-        out.push_back(s);
-    }
-    return out;
-}
 
 struct Lit {
     HostSurfels surfels;
@@ -90,55 +74,6 @@ TEST(LightSurfels, AmongOccludersWithTheMapsVisibility) {
         }
         EXPECT_GT(hidden, 10) << "the occluders hide nothing";
     }
-}
-
-/// A room with things in it, whose light samples are reached by rays.
-struct RayRoom {
-    RayRoom(std::uint32_t seed, int things, int light_count)
-        : random(seed),
-          scene(room_scene(seed + 1, things)),
-          kernels(device(), with_bvh()),
-          on_device(device(), scene.flat, build_bvh(scene.flat.triangles)),
-          samples(random_lights(random, light_count)),
-          lights(device(), samples, 0),
-          surfels(gathered(kernels, on_device, random_centres(random, 3), 16, 768)) {}
-
-    Random random;
-    TestScene scene;
-    Kernels kernels;
-    DeviceScene on_device;
-    std::vector<LightSample> samples;
-    LightSet lights;
-    Surfels surfels;
-
-private:
-    static Features with_bvh() {
-        Features features;
-        features.bvh = true;
-        return features;
-    }
-};
-
-TEST(SampleLights, IsLightSurfelsInTheMean) {
-    RayRoom room(101, 30, 24);
-    Buffer<float> all = surfel_rgb(device(), room.surfels.capacity, "all"),
-                  sampled = surfel_rgb(device(), room.surfels.capacity, "sampled");
-    light_surfels(room.kernels, room.on_device, room.surfels, room.lights, all, "test");
-    constexpr int runs = 2000;
-    for (int run = 0; run < runs; ++run)
-        sample_lights(room.kernels, room.on_device, room.surfels, room.lights, 2, 2, static_cast<uint>(run) * 7919U, sampled);
-    const std::vector<float> truth = all.read(), mean = sampled.read();
-    double sum = 0, square = 0, size = 0;
-    for (std::size_t i = 0; i < truth.size(); ++i) {
-        const double t = truth[i], error = static_cast<double>(mean[i]) / runs - t;
-        sum += t;
-        size += t * t;
-        square += error * error;
-    }
-    EXPECT_GT(sum, 0.0);
-    // Two draws have a relative standard deviation of about 2, the mean of 2000 runs one of about 0.05.
-    EXPECT_LT(std::sqrt(square / size), 0.1);
-    EXPECT_NEAR(std::accumulate(mean.begin(), mean.end(), 0.0) / runs / sum, 1.0, 0.01);
 }
 
 TEST(LightSurfels, RaysSettleOccludersExactly) {

@@ -1,9 +1,13 @@
-// Hemispheres of surface pencils: rays through the hierarchy meet what brute force meets, directions are cosine-distributed about the
-// normal, and sums over them are irradiance.
+// Hemispheres of surface pencils: each texel is seen through a point of its own, rays through the hierarchy meet what brute force meets,
+// and directions are cosine-distributed about the normal.
 #include <glm/common.hpp>
 
-#include "kernel_test.h"
-#include "surface/surface_pencils.h"
+#include "kernels/surface_test.h"
+#include "reference/hemisphere_ref.h"
+#include "reference/tolerances.h"
+#include "surface/measure_hemispheres.h"
+#include "surface/place_surface_pencils.h"
+#include "surface/trace_hemispheres.h"
 
 namespace {
 
@@ -14,22 +18,6 @@ struct Traced {
     SurfacePencils pencils;
     Surfels surfels;
 };
-
-std::vector<SurfacePencil> random_pencils(std::uint32_t seed, int count) {
-    Random random(seed);
-    std::vector<SurfacePencil> pencils;
-    for (int i = 0; i < count; ++i) {
-        const dvec3 normal = random.direction();
-        SurfacePencil p{};
-        p.position = to_float4(random.in_box(-0.7, 0.7));
-        p.normal = to_float4(normal, 0.1);
-        p.facing = to_float4(normal);
-        p.plane = -1;  // in free space
-        p.key = static_cast<uint>(i);
-        pencils.push_back(p);
-    }
-    return pencils;
-}
 
 Traced trace(Kernels& kernels, const TestScene& scene, const std::vector<SurfacePencil>& placed, int n, const TexelPoints& points = {7}) {
     const DeviceScene on_device(device(), scene.flat, build_bvh(scene.flat.triangles));
@@ -64,6 +52,73 @@ TEST(TraceHemispheres, MeetsWhatBruteForceMeets) {
         }
         EXPECT_LE(wrong, 1U) << things << " things: at most one ray along an edge may differ";
     }
+}
+
+/// Points seen, taken back through the tangent frame and the concentric map, lie in their texels.
+TEST(TraceHemispheres, EveryTexelIsSeenThroughAPointOfItsOwn) {
+    Kernels kernels = make_kernels();
+    const TestScene scene = box_scene(1);
+    for (const int count : {1, 5, 37})
+        for (const int n : {4, 8, 12}) {
+            const std::vector<SurfacePencil> placed = random_pencils(static_cast<std::uint32_t>(count), count);
+            const Traced t = trace(kernels, scene, placed, n);
+            const HostSurfels surfels(t.surfels);
+            ASSERT_EQ(surfels.count, count * n * n);
+            for (int i = 0; i < surfels.count; ++i) {
+                const SurfacePencil& p = placed[static_cast<std::size_t>(i / (n * n))];
+                const dvec3 d = glm::normalize(surfels.position(i) - xyz(p.position));
+                const ref::TangentFrame frame(xyz(p.normal));
+                const ref::dvec2 square = ref::disc_to_square(glm::dot(d, frame.t), glm::dot(d, frame.b));
+                const ref::Texel texel = ref::hemisphere_texel(i % (n * n), n);
+                const double x = (square.x + 1) * 0.5 * n - texel.x, y = (square.y + 1) * 0.5 * n - texel.y;
+                for (const double within : {x, y}) {
+                    ASSERT_GT(within, -tolerance::decision) << "texel " << i % (n * n) << " of pencil " << i / (n * n) << ", n " << n;
+                    ASSERT_LT(within, 1 + tolerance::decision) << "texel " << i % (n * n) << " of pencil " << i / (n * n) << ", n " << n;
+                }
+            }
+        }
+}
+
+/// A range of a set is traced as the whole set is, and nothing else is written.
+TEST(TraceHemispheres, RangesAreTracedAlike) {
+    Kernels kernels = make_kernels();
+    const TestScene scene = room_scene(4, 20);
+    const DeviceScene on_scene(device(), scene.flat, build_bvh(scene.flat.triangles));
+    const std::vector<SurfacePencil> placed = random_pencils(5, 9);
+    const Traced all = trace(kernels, scene, placed, 4);
+    const MadeSurfels nothing(7 * 16);
+    Surfels part = nothing.on_device();
+    trace_hemispheres(kernels, on_scene, all.pencils, 3, 5, {7}, part, 16);
+    EXPECT_EQ(part.count, 6 * 16);
+    part.count = part.capacity;
+    const HostSurfels got(part), expected(all.surfels);
+    for (int f = 0; f < SURFEL_FIELDS; ++f)
+        for (int i = 0; i < got.count; ++i) {
+            const int from = i - 16 + 3 * 16;
+            const bool written = i >= 16 && i < 6 * 16;
+            ASSERT_EQ(got.bits(f, i), written ? expected.bits(f, from) : nothing.bits(f, i)) << "field " << f << " of surfel " << i;
+        }
+}
+
+TEST(TraceHemispheres, NothingIsSeenBelowTheGeometricHorizonNorOnItsOwnPlane) {
+    Kernels kernels = make_kernels();
+    Random random(6);
+    std::vector<SurfacePencil> placed = random_pencils(7, 37);
+    for (SurfacePencil& p : placed) {
+        p.facing = to_float4(glm::normalize(xyz(p.normal) + 0.9 * random.direction()));
+        p.plane = random.index(6);
+    }
+    const Traced t = trace(kernels, box_scene(1), placed, 8);
+    const HostSurfels surfels(t.surfels);
+    int nothing = 0;
+    for (int i = 0; i < surfels.count; ++i) {
+        const SurfacePencil& p = placed[static_cast<std::size_t>(i / 64)];
+        nothing += surfels.plane(i) < 0 ? 1 : 0;
+        if (surfels.plane(i) < 0) continue;
+        EXPECT_NE(surfels.plane(i), p.plane) << "texel " << i;
+        EXPECT_GT(glm::dot(surfels.position(i) - xyz(p.position), xyz(p.facing)), -1e-6) << "texel " << i;
+    }
+    EXPECT_GT(nothing, 100);
 }
 
 TEST(TraceHemispheres, DirectionsFollowTheCosine) {
@@ -122,34 +177,6 @@ TEST(TraceHemispheres, TurnsFillTexelsMoreEvenlyThanSeeds) {
     std::printf("mean square error of the mean cosine: 64 seeds %.2e, 64 turns %.2e\n", seeds, turns);
     EXPECT_LT(turns, 0.2 * seeds);
     EXPECT_GT(turns, 0.0);
-}
-
-TEST(SumHemispheres, UniformRadianceIsPi) {
-    Kernels kernels = make_kernels();
-    const TestScene scene = box_scene(2);
-    const std::vector<SurfacePencil> placed = random_pencils(11, 5);
-    Traced t = trace(kernels, scene, placed, 8);
-    const Buffer<float> radiance(device(), std::vector<float>(3 * static_cast<std::size_t>(t.surfels.capacity), 2.0F), "radiance");
-    sum_hemispheres(kernels, radiance, t.surfels.capacity, 0, 0, t.pencils.count, t.pencils);
-    for (const SurfacePencil& p : t.pencils.data.read()) EXPECT_NEAR(p.irradiance.x, 2.0 * ref::pi, 1e-4);
-}
-
-TEST(MeasureHemispheres, HarmonicMeanOfDistances) {
-    Kernels kernels = make_kernels();
-    const std::vector<SurfacePencil> placed = random_pencils(11, 5);
-    Traced t = trace(kernels, box_scene(2), placed, 8);
-    measure_hemispheres(kernels, t.surfels, 0, 0, t.pencils.count, t.pencils);
-    const std::vector<float> surfels = t.surfels.data.read();
-    const std::vector<SurfacePencil> measured = t.pencils.data.read();
-    for (std::size_t p = 0; p < placed.size(); ++p) {
-        double inverse = 0;
-        for (std::size_t i = p * 64; i < (p + 1) * 64; ++i) {
-            const dvec3 point(field(surfels, t.surfels.capacity, SURFEL_X, i), field(surfels, t.surfels.capacity, SURFEL_Y, i),
-                              field(surfels, t.surfels.capacity, SURFEL_Z, i));
-            inverse += 1.0 / glm::distance(point, xyz(placed[p].position)) / 64.0;
-        }
-        EXPECT_NEAR(measured[p].position.w, 1.0 / inverse, 1e-4 / inverse);
-    }
 }
 
 /// The pencil that place_surface_pencils makes of a surfel of a floor (y = 0, seen from above) at x, seen from `eye`.

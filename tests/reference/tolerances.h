@@ -21,4 +21,20 @@ constexpr double depth_tie = 4e-6;
 constexpr double plane_through_centre = 1e-6;
 constexpr double plane_through_centre_slack = 8.0;
 
+/// A coordinate up to 1 after one multiply-add in float, and a unit in the last place for the input.
+constexpr double position = 2e-7;
+/// Decisions of surface pencils (radius, slope, normal, horizon, order of weights), relative: a surfel nearer to one than this may be
+/// decided either way in float. Few operations on differences of positions that are 1e-3 and more apart: 1e-3 loses three digits.
+constexpr double decision = 1e-4;
+/// A quotient of sums of products of three that may cancel down to a hundredth.
+constexpr double quotient = 4e-5;
+/// Integrals by some thousand strata: 4096 directions about a point, 16384 points of an emitter. Measured: 3e-3.
+constexpr double strata = 1e-2;
+/// Least squares by moments about a mean in float: what cancels loses up to three digits (the hold on slopes is 1e-3 of the moments).
+constexpr double fit = 2e-4;
+/// Slopes of at most 1 that the hold (SMOOTH_HOLD, 1e-3 of the sum of both moments) lowers where neighbours lie almost in a line.
+constexpr double held = 0.02;
+/// A weighted mean of linear functions whose terms are ten times their sum.
+constexpr double interpolation = 1e-4;
+
 }  // namespace pencil::tolerance

@@ -1,44 +1,18 @@
-// The experiment's book-keeping without a device: what runs next, what is kept in files, who is ahead.
+// The experiment's book-keeping without a device: what runs next, how runs are put together, who is ahead.
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <random>
 
 #include "compare/metrics.h"
-#include "converge/identity.h"
 #include "converge/methods.h"
 #include "converge/report.h"
 #include "converge/run_plan.h"
 #include "converge/runs.h"
 #include "unit/run_points.h"
-#include "util/error.h"
 
 namespace pencil {
 namespace {
-
-namespace fs = std::filesystem;
-
-class ConvergeFolder : public testing::Test {
-protected:
-    ConvergeFolder() {
-        std::string name = (fs::temp_directory_path() / "pencil-converge-XXXXXX").string();
-        folder = ::mkdtemp(name.data());
-    }
-    ~ConvergeFolder() override {
-        std::error_code ignored;
-        fs::remove_all(folder, ignored);
-    }
-    std::string read(const std::string& name) const {
-        std::ifstream stream(folder / name, std::ios::binary);
-        return {std::istreambuf_iterator<char>(stream), {}};
-    }
-    void write(const std::string& name, const std::string& text) const { std::ofstream(folder / name, std::ios::binary) << text; }
-
-    fs::path folder;
-};
 
 /// Runs the plan with render times of `first` * growth^budget; the order of tasks.
 std::vector<RunPoint> simulate(const RunPlan& plan, double first, double growth, std::vector<RunPoint> done = {}) {
@@ -131,77 +105,6 @@ TEST(Methods, EveryStepIsLargerAndSaysItsOptions) {
     EXPECT_NEAR(path_tracer_seconds(0), 0.03, 1e-12);
     EXPECT_NEAR(path_tracer_seconds(5), 10, 1e-12);
     EXPECT_EQ(run_flags(path_tracer_name, 0), "--time 0.03");
-}
-
-TEST_F(ConvergeFolder, PointsComeBack) {
-    const fs::path file = folder / "points.csv";
-    EXPECT_TRUE(read_points(file).empty());
-    RunPoint first = point("sets", 3, 18446744073709551615U, 0.1234567890123456789, 1e-7), second = point("thesis", 0, 1, 2.5);
-    first.options = R"(--pencils 27, "quoted")";
-    first.excluded_pixels = 5;
-    first.load = 1.25;
-    second.psnr = INFINITY;
-    append_point(file, first);
-    append_point(file, second);
-    const std::vector<RunPoint> points = read_points(file);
-    ASSERT_EQ(points.size(), 2U);
-    EXPECT_EQ(points[0].seed, first.seed);
-    EXPECT_EQ(points[0].seconds, first.seconds);
-    EXPECT_EQ(points[0].rel_mse, first.rel_mse);
-    EXPECT_EQ(points[0].options, first.options);
-    EXPECT_EQ(points[0].excluded_pixels, 5U);
-    EXPECT_EQ(points[0].load, 1.25);
-    EXPECT_EQ(points[0].stages, first.stages);
-    EXPECT_EQ(points[1].psnr, INFINITY);
-    EXPECT_EQ(points[1].method, "thesis");
-}
-
-TEST_F(ConvergeFolder, ALineCutByACrashIsDroppedAndWrittenAgain) {
-    const fs::path file = folder / "points.csv";
-    append_point(file, point("sets", 0, 0, 1));
-    const std::string whole = read("points.csv");
-    append_point(file, point("sets", 1, 0, 2));
-    const std::string both = read("points.csv");
-    for (std::size_t length = whole.size(); length < both.size(); ++length) {
-        write("points.csv", both.substr(0, length));
-        ASSERT_EQ(read_points(file).size(), 1U) << length;
-        append_point(file, point("sets", 1, 0, 2));
-        ASSERT_EQ(read("points.csv"), both) << length;
-    }
-    write("points.csv", whole.substr(0, 10));
-    EXPECT_TRUE(read_points(file).empty());
-}
-
-TEST_F(ConvergeFolder, DamagedPointsAreRefusedWithTheirLine) {
-    const fs::path file = folder / "points.csv";
-    append_point(file, point("sets", 0, 0, 1));
-    write("points.csv", read("points.csv") + "sets,one,0\n");
-    try {
-        read_points(file);
-        FAIL() << "accepted";
-    } catch (const OutputError& error) {
-        EXPECT_NE(std::string(error.what()).find("points.csv:3"), std::string::npos) << error.what();
-    }
-}
-
-TEST_F(ConvergeFolder, RunsOfAnotherSceneOrReferenceAreNotMixed) {
-    const std::vector<RunPoint> points{point("sets", 0, 0, 1)};
-    EXPECT_NO_THROW(check_identity(folder, {{"scene", "a"}}, {})) << "an empty folder";
-    EXPECT_THROW(check_identity(folder, {{"scene", "a"}}, points), UsageError) << "points of nobody knows what";
-    write_identity(folder, {{"scene", "a"}, {"reference", "r"}});
-    EXPECT_NO_THROW(check_identity(folder, {{"scene", "a"}}, points));
-    EXPECT_THROW(check_identity(folder, {{"scene", "b"}}, points), UsageError);
-    EXPECT_THROW(check_identity(folder, {{"scene", "a"}, {"reference", "s"}}, points), UsageError);
-    EXPECT_NO_THROW(check_identity(folder, {{"scene", "b"}}, {})) << "nothing to mix with";
-}
-
-TEST_F(ConvergeFolder, RunsWithOtherOptionsAreNotMixed) {
-    write_identity(folder, {{"scene", "a"}});
-    RunPoint run = point("sets", 0, 0, 1);
-    run.options = "--pencils 7";
-    EXPECT_THROW(check_identity(folder, {{"scene", "a"}}, {run}), UsageError);
-    run.method = "of a later version";
-    EXPECT_NO_THROW(check_identity(folder, {{"scene", "a"}}, {run}));
 }
 
 /// Two curves that cross at 1 s: the baseline falls as t^-0.5 from 0.1 at 1 s, the other stays at 0.1 until 4 s.

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "converge/page_tables.h"
 #include "converge/pictures.h"
 #include "converge/report.h"
 #include "converge/run_plan.h"
@@ -16,7 +15,7 @@ namespace {
 
 Report small_report() {
     Report report;
-    report.options.scene = "<room> & co.xml";
+    report.options.scene = "<b>&\"'.xml";
     report.options.methods = {"sets"};
     report.options.width = report.options.height = 4;
     report.options.folder = "/nonexistent";
@@ -54,8 +53,9 @@ TEST(Report, JsonHoldsNumbersAndReasons) {
 
 TEST(Report, PageSaysWhoIsAhead) {
     const std::string html = page_html(small_report(), "no plots (reason); advice");
-    EXPECT_NE(html.find("&lt;room&gt; &amp; co.xml"), std::string::npos);
-    EXPECT_EQ(html.find("<room>"), std::string::npos);
+    EXPECT_NE(html.find("<h1>Error against run time: &lt;b&gt;&amp;&quot;&apos;.xml</h1>"), std::string::npos);
+    EXPECT_EQ(html.find("<b>&"), std::string::npos);
+    EXPECT_EQ(html.find("{{"), std::string::npos) << "a tag that is not filled";
     EXPECT_NE(html.find("ahead of sets"), std::string::npos);
     EXPECT_NE(html.find("no image yet"), std::string::npos);
     EXPECT_NE(html.find("not reached"), std::string::npos);
@@ -65,14 +65,32 @@ TEST(Report, PageSaysWhoIsAhead) {
     }
 }
 
+TEST(Report, PageOfAnUnfinishedMeasurement) {
+    Report report = small_report();
+    report.finished = false;
+    report.warnings = {"noise > signal", "again"};
+    const auto has = [&](const std::string& text) { return page_html(report, "").find(text) != std::string::npos; };
+    EXPECT_TRUE(has("interrupted after 12 runs"));
+    EXPECT_TRUE(has("<li>noise &gt; signal</li>\n<li>again</li>"));
+    EXPECT_TRUE(has("Its own noise is about relMSE 1.0e-05 (0.32\u00a0%)."));
+    EXPECT_FALSE(has("No run is finished yet."));
+    report.methods.clear();
+    report.warnings.clear();
+    report.truth.noise_rel_mse.reset();
+    EXPECT_TRUE(has("No run is finished yet."));
+    EXPECT_TRUE(has("Its own noise is not known."));
+    EXPECT_FALSE(has("<section>\n<h2>Images"));
+    EXPECT_FALSE(has("<ul"));
+}
+
 TEST(Report, CardsNameTheMetricsThatDisagree) {
     Report report = small_report();
-    EXPECT_EQ(verdict_cards(report).find("by RMSE"), std::string::npos);
+    EXPECT_EQ(page_html(report, "").find("by RMSE"), std::string::npos);
     for (RunPoint& run : report.points) {
         run.rmse = run.method == "sets" ? 0.01 : 0.04;
     }
     report.methods = summarise(report.points, report.options, report.truth);
-    EXPECT_NE(verdict_cards(report).find("by RMSE, sets is ahead of it by 4"), std::string::npos) << verdict_cards(report);
+    EXPECT_NE(page_html(report, "").find("by RMSE, sets is ahead of it by 4"), std::string::npos);
 }
 
 TEST(Report, WarnsOfWhatTheCurvesDoNotShow) {

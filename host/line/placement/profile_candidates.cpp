@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "image/colour.h"
 #include "pencils/low_discrepancy.h"
 #include "pencils/place_pencils.h"
-#include "pencils/warps.h"
 #include "visibility/geometry_maps.h"
 
 namespace pencil {

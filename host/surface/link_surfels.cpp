@@ -1,0 +1,16 @@
+#include "surface/link_surfels.h"
+
+namespace pencil {
+
+SurfaceLinks link_surfels(Kernels& kernels, const Surfels& surfels, const SurfacePencils& pencils, const DeviceGrid& grid) {
+    const auto count = static_cast<std::size_t>(surfels.count);
+    SurfaceLinks links{Buffer<glm::ivec4>(kernels.device(), count, "links of surfels"),
+                       Buffer<float4>(kernels.device(), count, "link weights of surfels")};
+    kernels.get("link_surfels")
+        .args(surfels.data, surfels.capacity, surfels.count, pencils.data, grid.grid, grid.starts, grid.entries, links.pencils,
+              links.weights)
+        .run(count, "link surfels");
+    return links;
+}
+
+}  // namespace pencil

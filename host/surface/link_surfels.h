@@ -1,0 +1,20 @@
+// Launcher of kernels/link_surfels.cl.
+#pragma once
+
+#include "device/features.h"
+#include "device/surfels.h"
+#include "surface/pencil_grid.h"
+#include "surface/surface_pencils.h"
+
+namespace pencil {
+
+/// The pencils near each surfel, at most four, and their weights, which sum to 1.
+struct SurfaceLinks {
+    Buffer<glm::ivec4> pencils;  // -1: none; LINK_LAST_RESORT behind a pencil that stands there only because no other does
+    Buffer<float4> weights;
+};
+
+/// Operator R on the world set, for surfels that are lit again and again.
+SurfaceLinks link_surfels(Kernels& kernels, const Surfels& surfels, const SurfacePencils& pencils, const DeviceGrid& grid);
+
+}  // namespace pencil

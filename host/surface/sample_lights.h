@@ -1,0 +1,16 @@
+// Launcher of kernels/sample_lights.cl.
+#pragma once
+
+#include "device/device_scene.h"
+#include "device/features.h"
+#include "device/pencil_set.h"
+#include "device/surfels.h"
+
+namespace pencil {
+
+/// Adds reflected direct light to outgoing[3][capacity] [W m^-2 sr^-1]: in the mean what light_surfels adds, by `draws` samples per packet
+/// out of every stride-th three; needs the scene's hierarchy.
+void sample_lights(Kernels& kernels, const DeviceScene& scene, const Surfels& surfels, const LightSet& lights, int stride, int draws,
+                   uint seed, Buffer<float>& outgoing);
+
+}  // namespace pencil

@@ -1,0 +1,119 @@
+#!/usr/bin/env python3
+"""Renders the gallery with default options and writes its images and the table between the markers of README.md.
+
+The measured error is that against path tracing, without the noise of the path tracing: the reference is traced in two independent halves
+A and B, and (x - A)(x - B) is (x - truth)^2 in the mean. It is relative to the render x, the smoother divisor.
+
+scripts/gallery.py --width 384 --spp 1024"""
+import argparse
+import json
+import math
+import pathlib
+import re
+import subprocess
+import tempfile
+
+from PIL import Image
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+IMAGES = "docs/images/gallery"
+BEGIN, END = "<!-- begin: scripts/gallery.sh -->", "<!-- end: scripts/gallery.sh -->"
+# Name, and how many times --spp its reference takes: paths seldom find the light behind a door.
+SCENES = (("cornell-box", 1), ("colonnade", 1), ("door-ajar", 8), ("thin-walls", 1), ("two-rooms", 1))
+# Stages of --stats that are no rendering.
+APART = ("load scene", "open device", "kernel build", "write images")
+# Standard error of the measured relMSE: the noise of the reference is that of its mean, times a measured constant, over sqrt(pixels).
+DOUBT = 4
+
+
+def run(*command):
+    return subprocess.run([str(part) for part in command], check=True, stdout=subprocess.PIPE, text=True).stdout
+
+
+class Gallery:
+    def __init__(self, options, folder):
+        self.program, self.width, self.spp = options.program.resolve(), options.width, options.spp
+        self.references, self.folder = options.references, folder
+
+    def size(self, scene):
+        """WxH in the scene's own shape."""
+        film = re.search(r"^film +(\d+)x(\d+)", run(self.program, "info", scene), re.MULTILINE)
+        return f"{self.width}x{round(self.width * int(film[2]) / int(film[1]))}"
+
+    def reference(self, name, spp, seed, size):
+        """Half of a reference, traced unless it lies there already."""
+        image = self.references / f"{name}-{size}-{spp}-{seed}.exr"
+        if not image.exists():
+            print(f"tracing {image}", flush=True)
+            run(self.program, "reference", ROOT / f"scenes/{name}.xml", "-o", image, "--resolution", size, "--spp", spp, "--seed", seed,
+                "--aov", "none", "--quiet")
+        return image
+
+    def rel_mse(self, image, truth):
+        layers = json.loads(run(self.program, "compare", image, truth, "--json"))["layers"]
+        return next(layer["rel_mse"] for layer in layers if layer["name"] == "beauty")
+
+    def measured(self, render, name, spp, size):
+        """relMSE of the render without the noise of the reference; None if that is less than twice its standard error."""
+        halves = [self.reference(name, max(spp // 2, 1), seed, size) for seed in (1001, 1002)]
+        mean = self.folder / "mean.exr"
+        run("oiiotool", *halves, "--add", "--mulc", "0.5", "-d", "float", "-o", mean)
+        of_halves = sum(self.rel_mse(half, render) for half in halves) / 2
+        of_mean = self.rel_mse(mean, render)
+        error = 2 * of_mean - of_halves
+        doubt = DOUBT * (of_halves - of_mean) / math.sqrt(math.prod(int(side) for side in size.split("x")))
+        print(f"{name}: relMSE {error:.3g}, standard error {doubt:.2g}", flush=True)
+        return error if error > 2 * doubt else None
+
+    def row(self, name, effort):
+        scene, base = ROOT / f"scenes/{name}.xml", self.folder / name
+        size = self.size(scene)
+        run(self.program, "render", scene, "-o", f"{base}.exr", "-o", f"{base}.png", "--stats", f"{base}.json", "--resolution", size,
+            "--quiet")
+        stats = json.loads(pathlib.Path(f"{base}.json").read_text())
+        Image.open(f"{base}.png").convert("RGB").save(ROOT / IMAGES / f"{name}.jpg", quality=85, optimize=True)
+        apart = sum(stage["wall_seconds"] for stage in stats["stages"] if stage["name"] in APART)
+        return {"name": name, "size": size, "triangles": stats["triangles"], "device": stats["device"],
+                "seconds": stats["total_wall_seconds"] - apart, "estimated": stats["estimated_relmse"],
+                "measured": self.measured(f"{base}.exr", name, effort * self.spp, size)}
+
+
+def percent(rel_mse):
+    return "-" if rel_mse is None else f"{100 * math.sqrt(rel_mse):.1f} %"
+
+
+def table(rows, options):
+    def line(title, cell):
+        return "| " + " | ".join([title, *(cell(row) for row in rows)]) + " |"
+
+    device = rows[0]["device"]
+    units = f", {device['compute_units']} cores" if device["is_cpu"] else ""
+    return "\n".join([
+        line("", lambda row: f"[{row['name']}](scenes/{row['name']}.xml)"), "|---" * (len(rows) + 1) + "|",
+        line("", lambda row: f'<img src="{IMAGES}/{row["name"]}.jpg" width="150" alt="{row["name"]}">'),
+        line("triangles", lambda row: f"{row['triangles']:,}".replace(",", " ")),
+        line("pixels", lambda row: row["size"].replace("x", " x ")),
+        line("time", lambda row: f"{row['seconds']:.2g} s"), line("estimated error", lambda row: percent(row["estimated"])),
+        line("measured error", lambda row: percent(row["measured"])), "",
+        f"{device['name']} ({device['platform']}){units}; `scripts/gallery.sh --width {options.width} --spp {options.spp}`"])
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--width", type=int, default=384, help="of the images [pixels]")
+    parser.add_argument("--spp", type=int, default=1024, help="paths per pixel of a reference; difficult scenes take several times as many")
+    parser.add_argument("--references", type=pathlib.Path, default=ROOT / "out/gallery", help="folder where references are kept and found")
+    parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build/release/pencil")
+    options = parser.parse_args()
+    options.references.mkdir(parents=True, exist_ok=True)
+    (ROOT / IMAGES).mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory() as folder:
+        gallery = Gallery(options, pathlib.Path(folder))
+        rows = [gallery.row(name, effort) for name, effort in SCENES]
+    readme = ROOT / "README.md"
+    before, rest = readme.read_text().split(BEGIN)
+    readme.write_text(f"{before}{BEGIN}\n{table(rows, options)}\n{END}{rest.split(END)[1]}")
+
+
+if __name__ == "__main__":
+    main()

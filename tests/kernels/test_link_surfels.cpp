@@ -1,0 +1,109 @@
+// The pencils that light a surfel: those of the grid against all pencils, one by one.
+#include "kernels/surface_test.h"
+#include "reference/surface_transport_ref.h"
+#include "reference/tolerances.h"
+#include "surface/link_surfels.h"
+
+namespace {
+
+using namespace pencil;
+using namespace pencil::test;
+
+struct Floor {
+    std::vector<SurfacePencil> pencils;
+    MadeSurfels surfels;
+};
+
+/// Pencils and surfels on a bumpy floor; one surfel in eleven saw nothing.
+Floor bumpy_floor(int pencils, int surfels, std::uint32_t seed) {
+    BumpySurface surface(seed);
+    Floor f{{}, MadeSurfels(surfels)};
+    for (int p = 0; p < pencils; ++p) f.pencils.push_back(surface.pencil(surface.point(), surface.random.uniform(0.05, 0.4)));
+    for (int i = 0; i < surfels; ++i)
+        f.surfels.place(i, surface.point(), surface.normal(), i % 11 == 10 ? -1 : i % 5, surface.random.in_box(0, 1));
+    return f;
+}
+
+FlatScene room() {
+    FlatScene flat;
+    flat.low = decltype(flat.low)(-0.75F);
+    flat.high = decltype(flat.high)(0.75F);
+    return flat;
+}
+
+struct HostLinks {
+    std::vector<glm::ivec4> pencils;
+    std::vector<float4> weights;
+};
+
+HostLinks link(const Floor& f) {
+    Kernels kernels = make_kernels();
+    const SurfaceLinks links = link_surfels(kernels, f.surfels.on_device(), on_device(f.pencils), DeviceGrid(device(), f.pencils, room()));
+    return {links.pencils.read(), links.weights.read()};
+}
+
+TEST(LinkSurfels, AreThoseOfAllPencils) {
+    int compared = 0, last_resorts = 0, full = 0;
+    for (const int pencils : {1, 37, 400})
+        for (const int surfels : {1, 37, 1500}) {
+            const Floor f = bumpy_floor(pencils, surfels, static_cast<std::uint32_t>(pencils + surfels));
+            const HostLinks got = link(f);
+            for (int i = 0; i < surfels; ++i) {
+                const std::string what =
+                    "surfel " + std::to_string(i) + " of " + std::to_string(surfels) + ", " + std::to_string(pencils) + " pencils";
+                const glm::ivec4& pencil = got.pencils[static_cast<std::size_t>(i)];
+                const float4& weight = got.weights[static_cast<std::size_t>(i)];
+                if (f.surfels.bits(SURFEL_PLANE, i) < 0) {
+                    ASSERT_EQ(pencil, glm::ivec4(-1)) << what << " saw nothing";
+                    continue;
+                }
+                const ref::FoundLinks expected = ref::find_links(f.pencils, f.surfels.position(i), f.surfels.normal(i));
+                if (expected.margin < tolerance::decision) continue;
+                ++compared;
+                full += expected.links.size() == 4 ? 1 : 0;
+                last_resorts += expected.last_resort ? 1 : 0;
+                for (int k = 0; k < 4; ++k) {
+                    const bool there = static_cast<std::size_t>(k) < expected.links.size();
+                    const ref::Link& link = there ? expected.links[static_cast<std::size_t>(k)] : ref::Link{-1, 0.0};
+                    const int none = k == 1 && expected.last_resort ? LINK_LAST_RESORT : -1;
+                    ASSERT_EQ(pencil[k], there ? link.pencil : none) << what << ", link " << k;
+                    ASSERT_NEAR(weight[k], link.weight, tolerance::accumulation) << what << ", link " << k;
+                }
+            }
+        }
+    EXPECT_GT(compared, 4000);
+    EXPECT_GT(full, 1000) << "surfels with four pencils";
+    EXPECT_GT(last_resorts, 50);
+}
+
+TEST(LinkSurfels, WeightsSumToOne) {
+    const HostLinks got = link(bumpy_floor(400, 1500, 3));
+    int linked = 0;
+    for (std::size_t i = 0; i < got.pencils.size(); ++i) {
+        const float4& w = got.weights[i];
+        if (got.pencils[i].x < 0) {
+            EXPECT_EQ(w, float4(0)) << "surfel " << i;
+            continue;
+        }
+        ++linked;
+        EXPECT_NEAR(w.x + w.y + w.z + w.w, 1.0, tolerance::few_operations) << "surfel " << i;
+    }
+    EXPECT_GT(linked, 1000);
+}
+
+TEST(LinkSurfels, PermutingPencilsChangesNothing) {
+    const Floor f = bumpy_floor(150, 700, 5);
+    Floor turned = f;
+    Random random(6);
+    const std::vector<int> order = shuffled(random, f.pencils.size());
+    for (std::size_t p = 0; p < order.size(); ++p) turned.pencils[p] = f.pencils[static_cast<std::size_t>(order[p])];
+    const HostLinks straight = link(f), permuted = link(turned);
+    for (std::size_t i = 0; i < straight.pencils.size(); ++i)
+        for (int k = 0; k < 4; ++k) {
+            const int p = permuted.pencils[i][k];
+            EXPECT_EQ(p < 0 ? p : order[static_cast<std::size_t>(p)], straight.pencils[i][k]) << "surfel " << i << ", link " << k;
+            EXPECT_EQ(permuted.weights[i][k], straight.weights[i][k]) << "surfel " << i << ", link " << k;
+        }
+}
+
+}  // namespace
