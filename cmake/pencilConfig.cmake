@@ -1,4 +1,4 @@
-# find_package(pencil): the libraries pencil::render, pencil::scene_mitsuba and those below them.
+# find_package(pencil): the libraries pencil::render, pencil::scene_formats and those below them.
 include(CMakeFindDependencyMacro)
 foreach(dependency IN ITEMS OpenCL OpenImageIO pugixml fmt spdlog nlohmann_json glm TBB)
     find_dependency(${dependency})

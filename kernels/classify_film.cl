@@ -5,7 +5,8 @@
 #include "shared/film.h"
 #include "shared/geometry.h"
 
-/// Samples of one shape join if they show one plane, or if their facets are nearly parallel and the points lie near each other's plane.
+/// Samples of one shape and material join if they show one plane, or if their facets are nearly parallel and the points lie near each
+/// other's plane.
 #define JOIN_COSINE 0.98f
 #define JOIN_SLOPE 0.25f
 
@@ -13,7 +14,7 @@ static inline bool joins(Hit a, Hit b, float4 da, float4 db, global const Triang
     global const Triangle *ta = triangles + a.triangle;
     global const Triangle *tb = triangles + b.triangle;
     if (ta->plane == tb->plane) return true;
-    if (ta->shape != tb->shape) return false;
+    if (ta->shape != tb->shape || ta->material != tb->material) return false;
     float3 na = planes[ta->plane].xyz;
     if (dot(na, planes[tb->plane].xyz) < JOIN_COSINE) return false;
     float3 offset = (da / a.disparity - db / b.disparity).xyz;

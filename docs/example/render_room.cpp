@@ -2,7 +2,7 @@
 #include <pencil/cl/device.h>
 #include <pencil/image/write_image.h>
 #include <pencil/render/render_session.h>
-#include <pencil/scene/mitsuba/load_scene.h>
+#include <pencil/scene/formats/load_scene.h>
 #include <pencil/util/error.h>
 
 #include <iostream>

@@ -11,7 +11,7 @@
 #include "image/read_image.h"
 #include "options/option_values.h"
 #include "render/render_session.h"
-#include "scene/mitsuba/load_scene.h"
+#include "scene/formats/load_scene.h"
 #include "util/error.h"
 #include "util/log.h"
 #include "util/progress.h"

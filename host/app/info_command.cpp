@@ -9,7 +9,7 @@
 #include "app/message.h"
 #include "util/format.h"
 #include "options/option_values.h"
-#include "scene/mitsuba/load_scene.h"
+#include "scene/formats/load_scene.h"
 
 namespace pencil {
 namespace {
@@ -36,8 +36,9 @@ void print_shapes(const Scene& scene) {
     std::cout << "triangles  " << scene.triangles.size() << "\nshapes     " << scene.shapes.size() << "\n";
     for (const Shape& shape : scene.shapes) {
         std::cout << "  " << printable(shape.id) << ": " << printable(shape.kind) << ", " << shape.triangle_count << " triangles";
-        if (shape.bsdf < scene.bsdfs.size() && !scene.bsdfs[shape.bsdf].id.empty()) {
-            std::cout << ", " << printable(scene.bsdfs[shape.bsdf].id);
+        if (shape.triangle_count > 0) {
+            const std::string& material = scene.materials[scene.triangles[shape.first_triangle].material].id;
+            if (!material.empty()) std::cout << ", " << printable(material);
         }
         if (shape.emits) {
             std::cout << ", emits " << vector_text(shape.radiance);
@@ -56,10 +57,10 @@ void print_lights(const Scene& scene) {
 }
 
 void print_materials(const Scene& scene) {
-    std::cout << "materials  " << scene.bsdfs.size() << "\n";
-    for (const Diffuse& bsdf : scene.bsdfs) {
-        std::cout << "  " << (bsdf.id.empty() ? "(unnamed)" : printable(bsdf.id)) << ": diffuse, albedo " << vector_text(bsdf.albedo)
-                  << (bsdf.two_sided ? ", two-sided" : "") << "\n";
+    std::cout << "materials  " << scene.materials.size() << "\n";
+    for (const SceneMaterial& material : scene.materials) {
+        std::cout << "  " << (material.id.empty() ? "(unnamed)" : printable(material.id)) << ": diffuse, albedo "
+                  << vector_text(material.albedo) << (material.two_sided ? ", two-sided" : "") << "\n";
     }
 }
 
@@ -82,7 +83,8 @@ void print_needs(const Scene& scene) {
         const glm::vec3 normal = triangle.corners[0] < scene.normals.size() ? scene.normals[triangle.corners[0]] : glm::vec3(0.0F);
         return normal != glm::vec3(0.0F);
     });
-    const bool reflects = std::any_of(scene.bsdfs.begin(), scene.bsdfs.end(), [](const Diffuse& d) { return d.albedo != glm::vec3(0.0F); });
+    const bool reflects =
+        std::any_of(scene.materials.begin(), scene.materials.end(), [](const SceneMaterial& m) { return m.albedo != glm::vec3(0.0F); });
     const bool indirect = reflects && (lights || area) && !scene.triangles.empty() && (scene.max_depth < 0 || scene.max_depth > 2);
     std::cout << "features\n";
     line(area, "area emitters", "no emitted radiance in maps or film");

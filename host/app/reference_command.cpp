@@ -8,7 +8,7 @@
 #include "app/message.h"
 #include "app/outputs.h"
 #include "app/reference_report.h"
-#include "scene/mitsuba/load_scene.h"
+#include "scene/formats/load_scene.h"
 #include "scene/scene_fingerprint.h"
 #include "util/log.h"
 #include "util/progress.h"

@@ -9,7 +9,7 @@
 #include "app/outputs.h"
 #include "app/run_report.h"
 #include "render/render_session.h"
-#include "scene/mitsuba/load_scene.h"
+#include "scene/formats/load_scene.h"
 #include "scene/scene_fingerprint.h"
 #include "util/log.h"
 #include "util/progress.h"

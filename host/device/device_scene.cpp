@@ -4,6 +4,7 @@ namespace pencil {
 
 DeviceScene::DeviceScene(const std::shared_ptr<Device>& device, const FlatScene& flat, const Bvh& bvh, const Clusters& grouped)
     : triangle_count(static_cast<int>(flat.triangles.size())),
+      shape_count(flat.shape_count),
       cluster_count(grouped.count),
       has_bvh(!bvh.nodes.empty()),
       triangles(device, flat.triangles, "triangles"),

@@ -19,7 +19,7 @@ struct DeviceScene {
 
     Prepared prepared() const { return {cluster_count > 0, has_bvh}; }
 
-    int triangle_count, cluster_count;
+    int triangle_count, shape_count, cluster_count;
     bool has_bvh;
     Buffer<Triangle> triangles;
     Buffer<float4> planes;

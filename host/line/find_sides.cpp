@@ -3,7 +3,7 @@
 namespace pencil {
 
 std::vector<uint> find_sides(Kernels& kernels, const DeviceScene& scene, const GeometryMaps& maps) {
-    const std::size_t words = side_words(scene.materials.size()), tiles = static_cast<std::size_t>(maps.count);
+    const std::size_t words = side_words(static_cast<std::size_t>(scene.shape_count)), tiles = static_cast<std::size_t>(maps.count);
     Buffer<uint> sides(kernels.device(), tiles * words, "sides of shapes seen");
     kernels.get("find_sides")
         .args(maps.hits, maps.cops, maps.count, maps.n, scene.triangles, scene.planes, scene.materials, sides, static_cast<int>(words))

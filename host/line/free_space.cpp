@@ -29,11 +29,20 @@ int next_batch(int missing, int filled, int tried, int count) {
     return std::min(static_cast<int>(std::ceil(missing / rate)), count);
 }
 
+/// A field of the surfels that holds indices.
+std::vector<int> read_indices(const Surfels& surfels, int field) {
+    const std::size_t first = static_cast<std::size_t>(field) * static_cast<std::size_t>(surfels.capacity);
+    const std::vector<float> bits = surfels.data.read(first, static_cast<std::size_t>(surfels.count));
+    std::vector<int> indices(bits.size());
+    if (!bits.empty()) std::memcpy(indices.data(), bits.data(), bits.size() * sizeof(int));
+    return indices;
+}
+
 }  // namespace
 
 FreeSpace::FreeSpace(Kernels& kernels, const DeviceScene& scene, const FlatScene& flat, const Surfels& film, const GeometryMaps* lights,
                      int map_size)
-    : scene_(scene), flat_(flat), map_size_(map_size), reached_(side_words(flat.materials.size()), 0U) {
+    : scene_(scene), flat_(flat), map_size_(map_size), reached_(side_words(static_cast<std::size_t>(flat.shape_count)), 0U) {
     auto camera = made_maps(kernels, scene, {float4(glm::vec3(flat.camera.origin), 0.0F)}, map_size);
     for (int shape : find_enclosing(kernels, scene, *camera)) rooms_.insert(shape);
     reach_film(film);
@@ -48,15 +57,14 @@ FreeSpace::FreeSpace(Kernels& kernels, const DeviceScene& scene, const FlatScene
 
 /// Reaches the sides that the film shows.
 void FreeSpace::reach_film(const Surfels& film) {
-    const std::size_t first = static_cast<std::size_t>(SURFEL_MATERIAL) * static_cast<std::size_t>(film.capacity);
-    for (const float bits : film.data.read(first, static_cast<std::size_t>(film.count))) {
-        int material = 0;
-        std::memcpy(&material, &bits, sizeof material);
-        if (material == PENCIL_NO_MATERIAL) continue;
-        const bool back = material < 0;
-        const auto shape = static_cast<std::size_t>(back ? ~material : material);
-        if (back && flat_.materials[shape].albedo.w == 0.0F) continue;
-        const std::size_t side = 2 * shape + (back ? 1 : 0);
+    std::vector<std::size_t> shape_of_plane(flat_.planes.size());
+    for (const Triangle& t : flat_.triangles) shape_of_plane[static_cast<std::size_t>(t.plane)] = static_cast<std::size_t>(t.shape);
+    const std::vector<int> planes = read_indices(film, SURFEL_PLANE), materials = read_indices(film, SURFEL_MATERIAL);
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+        if (planes[i] < 0) continue;
+        const bool back = materials[i] < 0;
+        if (back && flat_.materials[static_cast<std::size_t>(~materials[i])].albedo.w == 0.0F) continue;
+        const std::size_t side = 2 * shape_of_plane[static_cast<std::size_t>(planes[i])] + (back ? 1 : 0);
         reached_[side / 32] |= 1U << (side % 32);
     }
 }

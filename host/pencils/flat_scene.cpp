@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <stdexcept>
+#include <utility>
 
 namespace pencil {
 
@@ -48,26 +51,68 @@ bool contains(const Plane3& plane, const Plane3& other, const glm::dvec3* corner
     return true;
 }
 
-void flatten_triangles(const Scene& scene, FlatScene& flat) {
+/// On the device.
+int model_of(MaterialKind kind) {
+    switch (kind) {
+        case MaterialKind::diffuse:
+            return MATERIAL_DIFFUSE;
+    }
+    throw std::logic_error("a material without a model");
+}
+
+/// Rows are made as triangles need them. What emits shares none: its radiance, the form of its light and the area that its samples stand
+/// for are its own.
+class MaterialRows {
+public:
+    MaterialRows(const Scene& scene, const std::vector<LightForm>& forms, std::vector<Material>& rows)
+        : scene_(scene), forms_(forms), rows_(rows) {}
+
+    /// Index of the triangle's row.
+    int of(const Triangle3& t) {
+        const std::int64_t emitter = scene_.shapes[t.shape].emits ? static_cast<std::int64_t>(t.shape) : -1;
+        const auto [place, is_new] = made_.emplace(std::pair(t.material, emitter), static_cast<int>(rows_.size()));
+        if (is_new) rows_.push_back(row(t));
+        return place->second;
+    }
+
+private:
+    Material row(const Triangle3& t) const {
+        const SceneMaterial& material = scene_.materials[t.material];
+        const Shape& shape = scene_.shapes[t.shape];
+        const float carried = shape.emits && forms_[t.shape] == LightForm::maps ? 1.0F : 0.0F;
+        return {float4(material.albedo, material.two_sided ? 1.0F : 0.0F),
+                float4(shape.emits ? shape.radiance : glm::vec3(0), carried),
+                model_of(material.kind),
+                {}};
+    }
+
+    const Scene& scene_;
+    const std::vector<LightForm>& forms_;
+    std::vector<Material>& rows_;
+    std::map<std::pair<std::uint32_t, std::int64_t>, int> made_;  // by material and emitting shape, -1 for none
+};
+
+void flatten_triangles(const Scene& scene, MaterialRows& rows, FlatScene& flat) {
     std::vector<glm::dvec3> points;
     points.reserve(scene.positions.size());
     for (const glm::dvec3& p : scene.positions) points.push_back(glm::dvec3(glm::vec3(flat.normalisation.to_scene(p))));
     bool smooth = std::any_of(scene.normals.begin(), scene.normals.end(), [](const glm::vec3& n) { return n != glm::vec3(0); });
     Plane3 last{};
-    int last_shape = -1;
+    Triangle neighbour{};
+    neighbour.shape = -1;
     for (const Triangle3& t : scene.triangles) {
         glm::dvec3 corners[3] = {points[t.corners.x], points[t.corners.y], points[t.corners.z]};
         if (glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0])) == 0) continue;  // vanished in float
-        Plane3 own = plane_of(corners[0], corners[1], corners[2]);
-        int shape = static_cast<int>(t.shape);
-        // Consecutive triangles of one shape share a plane: quads, cube faces, polygon fans, flat grids.
-        if (shape != last_shape || !contains(last, own, corners)) {
+        const Plane3 own = plane_of(corners[0], corners[1], corners[2]);
+        const int shape = static_cast<int>(t.shape), row = rows.of(t);
+        // Consecutive triangles of one shape and material share a plane: quads, cube faces, polygon fans, flat grids.
+        if (shape != neighbour.shape || row != neighbour.material || !contains(last, own, corners)) {
             flat.planes.push_back(to_float4(own.normal, own.distance));
             last = own;
-            last_shape = shape;
         }
-        flat.triangles.push_back({to_float4(corners[0]), to_float4(corners[1]), to_float4(corners[2]),
-                                  static_cast<int>(flat.planes.size()) - 1, shape, shape, 0});
+        neighbour = {
+            to_float4(corners[0]), to_float4(corners[1]), to_float4(corners[2]), static_cast<int>(flat.planes.size()) - 1, row, shape, 0};
+        flat.triangles.push_back(neighbour);
         if (smooth)
             for (int k = 0; k < 3; ++k) flat.normals.push_back(float4(scene.normals[t.corners[k]], 0.0F));
     }
@@ -85,18 +130,6 @@ void count_mates(std::vector<Triangle>& triangles) {
         while (before < most_mates && same(i, i - before - 1)) ++before;
         while (after < most_mates && same(i, i + after + 1)) ++after;
         triangles[static_cast<std::size_t>(i)].mates = before | after << 8;
-    }
-}
-
-void flatten_materials(const Scene& scene, const std::vector<LightForm>& forms, FlatScene& flat) {
-    for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
-        const Shape& shape = scene.shapes[i];
-        const Diffuse& bsdf = scene.bsdfs[shape.bsdf];
-        float carried = shape.emits && forms[i] == LightForm::maps ? 1.0F : 0.0F;
-        flat.materials.push_back({float4(bsdf.albedo, bsdf.two_sided ? 1.0F : 0.0F),
-                                  float4(shape.emits ? shape.radiance : glm::vec3(0), carried),
-                                  MATERIAL_DIFFUSE,
-                                  {}});
     }
 }
 
@@ -131,9 +164,10 @@ void flatten_camera(const PerspectiveSensor& sensor, int width, int height, Flat
 FlatScene flatten(const Scene& scene, const std::vector<LightForm>& forms, int width, int height) {
     FlatScene flat;
     flat.normalisation = normalise(scene);
-    flatten_triangles(scene, flat);
+    flat.shape_count = static_cast<int>(scene.shapes.size());
+    MaterialRows rows(scene, forms, flat.materials);
+    flatten_triangles(scene, rows, flat);
     count_mates(flat.triangles);
-    flatten_materials(scene, forms, flat);
     flatten_camera(scene.sensor, width > 0 ? width : scene.sensor.width, height > 0 ? height : scene.sensor.height, flat);
     glm::dvec3 low(HUGE_VAL), high(-HUGE_VAL);
     for (const Triangle& t : flat.triangles)

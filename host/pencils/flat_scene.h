@@ -1,4 +1,4 @@
-// The scene flattened for the device: normalised coordinates, planes shared by coplanar neighbours, one material per shape.
+// The scene flattened for the device: normalised coordinates, planes shared by coplanar neighbours, rows of materials.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -24,8 +24,9 @@ struct FlatScene {
     Normalisation normalisation;
     std::vector<Triangle> triangles;
     std::vector<float4> planes;       // unit normal, distance: dot(normal, x) = w on the plane
-    std::vector<Material> materials;  // one per shape
+    std::vector<Material> materials;  // one per scene material in use on what does not emit; own ones for each shape that emits
     std::vector<float4> normals;      // three per triangle, empty if no shape has vertex normals
+    int shape_count = 0;              // of Scene::shapes, which Triangle::shape indexes
     Camera camera{};
     std::vector<float4> to_film;     // three rows, see bound_film.cl
     glm::dvec3 low{0.0}, high{0.0};  // bounds of geometry and lights [scene units]

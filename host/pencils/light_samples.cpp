@@ -117,15 +117,17 @@ std::vector<LightSample> sample_lights(const Scene& scene, const FlatScene& flat
 }
 
 std::vector<float> near_areas(const FlatScene& flat, const std::vector<LightSample>& samples) {
-    std::vector<int> material_of_plane(flat.planes.size(), -1);
-    for (const Triangle& t : flat.triangles) material_of_plane[static_cast<std::size_t>(t.plane)] = t.material;
-    std::vector<float> areas(flat.materials.size(), std::numeric_limits<float>::infinity());
+    std::vector<std::size_t> shape_of_plane(flat.planes.size());
+    for (const Triangle& t : flat.triangles) shape_of_plane[static_cast<std::size_t>(t.plane)] = static_cast<std::size_t>(t.shape);
+    std::vector<float> of_shape(static_cast<std::size_t>(flat.shape_count), std::numeric_limits<float>::infinity());
     for (const LightSample& s : samples) {
         if (s.position.w == 0.0F) continue;  // point lights have no surface
         // A float holds the index; beyond 2^24 planes it may be rounded, but not out of the list.
-        const auto plane = std::min(static_cast<std::size_t>(s.emission.w), material_of_plane.size() - 1);
-        areas[static_cast<std::size_t>(material_of_plane[plane])] = s.normal.w;
+        const auto plane = std::min(static_cast<std::size_t>(s.emission.w), shape_of_plane.size() - 1);
+        of_shape[shape_of_plane[plane]] = s.normal.w;
     }
+    std::vector<float> areas(flat.materials.size(), std::numeric_limits<float>::infinity());
+    for (const Triangle& t : flat.triangles) areas[static_cast<std::size_t>(t.material)] = of_shape[static_cast<std::size_t>(t.shape)];
     return areas;
 }
 

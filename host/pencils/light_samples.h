@@ -14,7 +14,7 @@ namespace pencil {
 std::vector<LightSample> sample_lights(const Scene& scene, const FlatScene& flat, const std::vector<LightForm>& forms, int count,
                                        std::uint64_t seed, std::uint64_t turn = 0);
 
-/// Per material: area over pi that each light sample of an emitter stands for [scene units^2]; infinite for emitters without samples. Light
+/// Per row of materials: area over pi that each light sample of an emitter stands for [scene units^2]; infinite where there are none. Light
 /// samples carry the share r^2 / (r^2 + that) of the light to a point at distance r.
 std::vector<float> near_areas(const FlatScene& flat, const std::vector<LightSample>& samples);
 

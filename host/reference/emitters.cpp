@@ -20,7 +20,7 @@ Emitters::Emitters(const Scene& scene, RayScene& ray_scene) : ray_scene_(ray_sce
     double total = 0;
     for (std::size_t i = 0; i < ray_scene.triangles().size(); ++i) {
         const RayTriangle& t = ray_scene.triangles()[i];
-        const double power = pi * area(t) * mean(ray_scene.materials()[t.shape].emission);
+        const double power = pi * area(t) * mean(ray_scene.emission()[t.shape].radiance);
         if (!(power > 0)) continue;
         triangles_.push_back(static_cast<std::uint32_t>(i));
         up_to_.push_back(total += power);
@@ -35,8 +35,8 @@ Emitters::Emitters(const Scene& scene, RayScene& ray_scene) : ray_scene_(ray_sce
     if (empty()) return;
     for (double& value : up_to_) value /= total;
     for (PointEmitter& point : points_) point.probability = static_cast<float>(point.probability / total);
-    for (SurfaceMaterial& material : ray_scene.materials())
-        material.light_density = static_cast<float>(pi * mean(material.emission) / total);
+    for (SurfaceEmission& emission : ray_scene.emission())
+        emission.light_density = static_cast<float>(pi * mean(emission.radiance) / total);
 }
 
 EmitterSample Emitters::sample(glm::dvec2 u) const {
@@ -54,9 +54,9 @@ EmitterSample Emitters::sample(glm::dvec2 u) const {
 
 EmitterSample Emitters::sample_triangle(std::uint32_t triangle, const glm::dvec2& u) const {
     const RayTriangle& t = ray_scene_.triangles()[triangle];
-    const SurfaceMaterial& material = ray_scene_.materials()[t.shape];
+    const SurfaceEmission& emission = ray_scene_.emission()[t.shape];
     const glm::vec2 b(square_to_triangle(u));
-    return {t.corner + b.x * t.edge1 + b.y * t.edge2, t.normal, t.offset, material.emission, material.light_density, false};
+    return {t.corner + b.x * t.edge1 + b.y * t.edge2, t.normal, t.offset, emission.radiance, emission.light_density, false};
 }
 
 }  // namespace pencil

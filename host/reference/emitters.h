@@ -21,7 +21,7 @@ struct EmitterSample {
 /// Triangles and point lights, chosen in proportion to their power, uniformly by area within a triangle.
 class Emitters {
 public:
-    /// Also writes SurfaceMaterial::light_density.
+    /// Also writes SurfaceEmission::light_density.
     Emitters(const Scene& scene, RayScene& ray_scene);
 
     bool empty() const { return up_to_.empty(); }

@@ -21,16 +21,6 @@ float power_heuristic(float density, float other) {
 /// The hit point, moved to the side of `normal` further than its rounding error.
 glm::vec3 off_surface(const glm::vec3& point, const glm::vec3& normal, float offset) { return point + offset * normal; }
 
-/// Cosine-distributed about the unit vector n. The frame is that of Duff et al. 2017.
-glm::vec3 cosine_direction(const glm::vec3& n, const glm::dvec2& u, float& cosine) {
-    const auto phi = static_cast<float>(2 * 3.14159265358979323846 * u.x), r2 = static_cast<float>(u.y);
-    const float r = std::sqrt(r2), x = r * std::cos(phi), y = r * std::sin(phi);
-    cosine = std::sqrt(1.0F - r2);
-    const float sign = std::copysign(1.0F, n.z), a = -1.0F / (sign + n.z), b = n.x * n.y * a;
-    const glm::vec3 tangent(1.0F + sign * n.x * n.x * a, sign * b, -sign * n.x), bitangent(b, sign + n.y * n.y * a, -n.y);
-    return x * tangent + y * bitangent + cosine * n;
-}
-
 void record(PathSums& sums, int order, const glm::vec3& radiance) {
     if (!(std::abs(radiance.x) + std::abs(radiance.y) + std::abs(radiance.z) <= std::numeric_limits<float>::max())) {
         ++sums.dropped;
@@ -44,17 +34,19 @@ void record(PathSums& sums, int order, const glm::vec3& radiance) {
 }  // namespace
 
 /// Radiance that the surface at `hit` reflects of one light sample.
-glm::vec3 PathIntegrator::direct_light(const RayHit& hit, const glm::vec3& albedo, const glm::dvec2& u, PathSums& sums) const {
+glm::vec3 PathIntegrator::direct_light(const RayHit& hit, const Reflection& reflection, const glm::dvec2& u, PathSums& sums) const {
     const EmitterSample light = emitters_.sample(u);
     const glm::vec3 segment = light.point - hit.point;
     const float square = glm::dot(segment, segment), inverse = 1.0F / std::sqrt(square);
-    const float cosine = glm::dot(hit.shading, segment) * inverse;
+    const glm::vec3 omega_i = reflection.frame.to_local(segment) * inverse;
+    const float cosine = omega_i.z;
     if (!(cosine > 0.0F) || !(glm::dot(hit.normal, segment) > 0.0F)) return glm::vec3(0.0F);
-    glm::vec3 radiance = light.emitted * (cosine / (pi * light.density * square)) * albedo;
+    const SurfaceMaterial& material = reflection.material;
+    glm::vec3 radiance = light.emitted * (cosine / (pi * light.density * square)) * evaluate(material, reflection.omega_o, omega_i);
     if (!light.is_point) {
         const float light_cosine = -glm::dot(light.normal, segment) * inverse;
         if (!(light_cosine > 0.0F)) return glm::vec3(0.0F);
-        radiance *= light_cosine * power_heuristic(light.density * square, cosine * light_cosine / pi);
+        radiance *= light_cosine * power_heuristic(light.density * square, pdf(material, reflection.omega_o, omega_i) * light_cosine / pi);
     }
     const glm::vec3 from = off_surface(hit.point, hit.normal, hit.offset), to = off_surface(light.point, light.normal, light.offset);
     ++sums.rays;
@@ -67,24 +59,28 @@ void PathIntegrator::trace(const Ray& camera_ray, const RayHit& first, float wei
     glm::vec3 throughput(1.0F);
     float density = 0;  // per solid angle, with which the BRDF chose the ray
     for (int depth = 1;; ++depth) {
-        const SurfaceMaterial& material = scene_.materials()[hit.shape];
-        if (hit.front && material.light_density > 0.0F) {
+        const SurfaceEmission& emission = scene_.emission()[hit.shape];
+        if (hit.front && emission.light_density > 0.0F) {
             float share = 1.0F;
             if (depth > 1) {
                 const float length = glm::length(ray.direction) * hit.distance, cosine = -glm::dot(hit.normal, ray.direction);
-                share = power_heuristic(density, material.light_density * length * length / cosine);
+                share = power_heuristic(density, emission.light_density * length * length / cosine);
             }
-            record(sums, depth - 1, weight * share * throughput * material.emission);
+            record(sums, depth - 1, weight * share * throughput * emission.radiance);
         }
-        if (depth == max_depth_ || !(hit.front || material.two_sided) || material.albedo == glm::vec3(0.0F)) return;
+        const SurfaceMaterial& material = scene_.materials()[hit.material];
+        if (depth == max_depth_ || !(hit.front || material.two_sided)) return;
+        const ShadingFrame frame(hit.shading);
+        const Reflection reflection{material, frame, -glm::normalize(frame.to_local(ray.direction))};
+        if (albedo(material, reflection.omega_o) == glm::vec3(0.0F)) return;
         const glm::dvec2 light_u = sampler.next_2d(), brdf_u = sampler.next_2d();
-        if (!emitters_.empty()) record(sums, depth, weight * throughput * direct_light(hit, material.albedo, light_u, sums));
+        if (!emitters_.empty()) record(sums, depth, weight * throughput * direct_light(hit, reflection, light_u, sums));
 
-        float cosine;
-        const glm::vec3 direction = cosine_direction(hit.shading, brdf_u, cosine);
-        if (!(glm::dot(direction, hit.normal) > 0.0F)) return;
-        throughput *= material.albedo;
-        density = cosine / pi;
+        const BrdfSample chosen = sample(material, reflection.omega_o, brdf_u);
+        const glm::vec3 direction = frame.to_world(chosen.omega_i);
+        if (!(chosen.pdf > 0.0F && glm::dot(direction, hit.normal) > 0.0F)) return;
+        throughput *= chosen.weight;
+        density = chosen.pdf / pi;
         if (depth >= sure_depth) {
             const float survival = std::min(std::max({throughput.x, throughput.y, throughput.z}), longest_survival);
             if (!(sampler.next_1d() < survival)) return;

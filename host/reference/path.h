@@ -1,10 +1,11 @@
-// One light path: from a camera ray through diffuse reflections to emitters.
+// One light path: from a camera ray through reflections to emitters.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 
+#include "reference/brdf.h"
 #include "reference/emitters.h"
 #include "reference/ray_scene.h"
 #include "reference/sampler.h"
@@ -22,6 +23,13 @@ struct PathSums {
     std::uint64_t dropped = 0;  // contributions that were no finite numbers
 };
 
+/// How a surface reflects towards omega_o, in its shading frame.
+struct Reflection {
+    const SurfaceMaterial& material;
+    ShadingFrame frame;
+    glm::vec3 omega_o;
+};
+
 class PathIntegrator {
 public:
     PathIntegrator(const RayScene& scene, const Emitters& emitters, int max_depth)
@@ -31,7 +39,7 @@ public:
     void trace(const Ray& camera_ray, const RayHit& first, float weight, Sampler& sampler, PathSums& sums) const;
 
 private:
-    glm::vec3 direct_light(const RayHit& hit, const glm::vec3& albedo, const glm::dvec2& u, PathSums& sums) const;
+    glm::vec3 direct_light(const RayHit& hit, const Reflection& reflection, const glm::dvec2& u, PathSums& sums) const;
 
     const RayScene& scene_;
     const Emitters& emitters_;

@@ -140,14 +140,15 @@ private:
             RayHit hit;
             ++paths.rays;
             if (!camera.meets || !scene_.intersect(camera.ray, hit)) continue;
-            if (options_.surfaces) add_surface(hit, camera.weight, surfaces);
+            if (options_.surfaces) add_surface(camera.ray, hit, camera.weight, surfaces);
             integrator_.trace(camera.ray, hit, camera.weight, sampler, paths);
         }
     }
 
-    void add_surface(const RayHit& hit, float weight, SurfaceSums& sums) const {
-        const SurfaceMaterial& material = scene_.materials()[hit.shape];
-        if (hit.front || material.two_sided) sums.albedo += weight * material.albedo;
+    void add_surface(const Ray& ray, const RayHit& hit, float weight, SurfaceSums& sums) const {
+        const SurfaceMaterial& material = scene_.materials()[hit.material];
+        const glm::vec3 omega_o = -glm::normalize(ShadingFrame(hit.shading).to_local(ray.direction));
+        if (hit.front || material.two_sided) sums.albedo += weight * albedo(material, omega_o);
         sums.normal += weight * hit.shading;
         sums.position += weight * hit.point;
         sums.weight += weight;

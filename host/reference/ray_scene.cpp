@@ -50,10 +50,8 @@ RTCRay embree_ray(const Ray& ray) {
 }  // namespace
 
 RayScene::RayScene(const Scene& scene) {
-    for (const Shape& shape : scene.shapes) {
-        const Diffuse& bsdf = scene.bsdfs[shape.bsdf];
-        materials_.push_back({bsdf.albedo, shape.emits ? shape.radiance : glm::vec3(0.0F), bsdf.two_sided, 0.0F});
-    }
+    for (const Shape& shape : scene.shapes) emission_.push_back({shape.emits ? shape.radiance : glm::vec3(0.0F), 0.0F});
+    for (const SceneMaterial& material : scene.materials) materials_.push_back({material.kind, material.albedo, material.two_sided});
     normalise(scene);
     build(scene, add_triangles(scene));
 }
@@ -93,7 +91,7 @@ std::vector<glm::uvec3> RayScene::add_triangles(const Scene& scene) {
             high_ = glm::max(high_, glm::dvec3(corner));
         }
         kept.push_back(t.corners);
-        triangles_.push_back({corners[0], edge1, edge2, glm::normalize(normal), offset_in_ulps * size, t.shape});
+        triangles_.push_back({corners[0], edge1, edge2, glm::normalize(normal), offset_in_ulps * size, t.shape, t.material});
         if (smooth)
             for (int k = 0; k < 3; ++k) normals_.push_back(scene.normals[t.corners[k]]);
     }
@@ -145,6 +143,7 @@ bool RayScene::intersect(const Ray& ray, RayHit& hit) const {
     hit.distance = query.ray.tfar;
     hit.offset = t.offset;
     hit.shape = t.shape;
+    hit.material = t.material;
     return true;
 }
 

@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "reference/brdf.h"
 #include "scene/scene.h"
 
 namespace pencil {
@@ -19,10 +20,9 @@ struct Ray {
     float length = std::numeric_limits<float>::max();  // of the segment, in units of the direction
 };
 
-/// Reflection and emission of a shape. Emitters shine to the front.
-struct SurfaceMaterial {
-    glm::vec3 albedo{0.0F}, emission{0.0F};
-    bool two_sided = false;
+/// What a shape emits, to the front.
+struct SurfaceEmission {
+    glm::vec3 radiance{0.0F};
     float light_density = 0;  // of light sampling: probability per area of this shape [1 / scene units^2]
 };
 
@@ -32,7 +32,7 @@ struct RayHit {
     glm::vec3 shading;  // interpolated vertex normal on that side, unit; the geometric one where there is none
     float distance;     // in units of the ray's direction
     float offset;       // along `normal`: further than the rounding error of `point`
-    std::uint32_t shape;
+    std::uint32_t shape, material;
     bool front;
 };
 
@@ -41,7 +41,7 @@ struct RayTriangle {
     glm::vec3 corner, edge1, edge2;
     glm::vec3 normal;  // unit, of the front
     float offset;      // see RayHit
-    std::uint32_t shape;
+    std::uint32_t shape, material;
 };
 
 class RayScene {
@@ -55,8 +55,9 @@ public:
     bool occluded(const Ray& ray) const;
 
     const std::vector<RayTriangle>& triangles() const { return triangles_; }
-    std::vector<SurfaceMaterial>& materials() { return materials_; }  // one per shape
-    const std::vector<SurfaceMaterial>& materials() const { return materials_; }
+    std::vector<SurfaceEmission>& emission() { return emission_; }  // one per shape
+    const std::vector<SurfaceEmission>& emission() const { return emission_; }
+    const std::vector<SurfaceMaterial>& materials() const { return materials_; }  // those of the scene
 
     glm::dvec3 to_scene(const glm::dvec3& world) const { return (world - centre_) / scale_; }
     glm::dvec3 to_world(const glm::dvec3& point) const { return centre_ + point * scale_; }
@@ -79,6 +80,7 @@ private:
     double scale_ = 1.0;
     std::vector<RayTriangle> triangles_;
     std::vector<glm::vec3> normals_;  // three per triangle, empty if no shape has vertex normals
+    std::vector<SurfaceEmission> emission_;
     std::vector<SurfaceMaterial> materials_;
     std::unique_ptr<std::remove_pointer_t<RTCDevice>, Release> device_;
     std::unique_ptr<std::remove_pointer_t<RTCScene>, Release> bvh_;

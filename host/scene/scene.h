@@ -10,22 +10,26 @@
 
 namespace pencil {
 
-/// Diffuse reflection of the front side (counter-clockwise corners), of both sides if two_sided.
-struct Diffuse {
-    std::string id;
+enum class MaterialKind { diffuse };
+
+/// Reflection of the front side (counter-clockwise corners), of both sides if two_sided.
+struct SceneMaterial {
+    std::string id;  // from the file, or empty
+    MaterialKind kind = MaterialKind::diffuse;
     glm::vec3 albedo{0.5F};  // linear sRGB, each in [0, 1]
     bool two_sided = false;
 };
 
 struct Triangle3 {
-    glm::uvec3 corners;  // indices into Scene::positions and Scene::normals
-    std::uint32_t shape;
+    glm::uvec3 corners;          // indices into Scene::positions, normals and uvs
+    std::uint32_t shape = 0;     // index into Scene::shapes
+    std::uint32_t material = 0;  // index into Scene::materials
 };
 
+/// A name for triangles that belong together, and what they emit.
 struct Shape {
-    std::string id;          // from the file, or "rectangle 3": kind and ordinal
-    std::string kind;        // rectangle, cube, sphere, obj, ply
-    std::uint32_t bsdf = 0;  // index into Scene::bsdfs
+    std::string id;    // from the file, or "rectangle 3": kind and ordinal
+    std::string kind;  // rectangle, cube, sphere, obj, ply
     std::uint32_t first_triangle = 0;
     std::uint32_t triangle_count = 0;
     bool emits = false;
@@ -59,9 +63,10 @@ struct Scene {
     std::string file;
     std::vector<glm::dvec3> positions;
     std::vector<glm::vec3> normals;  // unit shading normals, one per position; zero: use the face normal
+    std::vector<glm::vec2> uvs;  // texture coordinates as Mitsuba's, one per position, zero where a shape has none; empty if all have none
     std::vector<Triangle3> triangles;
     std::vector<Shape> shapes;
-    std::vector<Diffuse> bsdfs;
+    std::vector<SceneMaterial> materials;
     std::vector<PointLight> point_lights;
     PerspectiveSensor sensor;
     int max_depth = -1;  // 1: emission only, 2: plus direct light, -1: no limit

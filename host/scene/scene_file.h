@@ -16,6 +16,9 @@ std::string shown(const std::filesystem::path& file);
 /// `where` is blamed: the scene line that names the file, or the file itself.
 std::string read_regular_file(const std::filesystem::path& file, std::uintmax_t max_bytes, const std::string& where);
 
+/// The first `bytes` of a regular file of any size, or all of it if it is shorter.
+std::string read_head(const std::filesystem::path& file, std::size_t bytes, const std::string& where);
+
 /// `name`, relative to `folder` and inside it after symbolic links have been followed.
 std::filesystem::path path_inside(const std::filesystem::path& folder, const std::string& name, const std::string& where);
 

@@ -24,7 +24,6 @@ public:
     }
     void add(const glm::vec3& v) { add_bytes(glm::value_ptr(v), 3 * sizeof(float)); }
     void add(const glm::dvec3& v) { add_bytes(glm::value_ptr(v), 3 * sizeof(double)); }
-    void add(const glm::uvec3& v) { add_bytes(glm::value_ptr(v), 3 * sizeof(std::uint32_t)); }
 
     std::string text() const {
         char digits[17];
@@ -36,29 +35,28 @@ private:
     std::uint64_t value_ = 0xcbf29ce484222325;
 };
 
+/// By corners, not by vertices: how triangles share vertices, or texture coordinates split them, changes no picture.
 void add_geometry(Hash& hash, const Scene& scene) {
-    hash.add(scene.positions.size());
-    for (const glm::dvec3& position : scene.positions) {
-        hash.add(position);
-    }
-    for (const glm::vec3& normal : scene.normals) {
-        hash.add(normal);
-    }
+    hash.add(scene.triangles.size());
     for (const Triangle3& triangle : scene.triangles) {
-        hash.add(triangle.corners);
+        for (int k = 0; k < 3; ++k) {
+            hash.add(scene.positions[triangle.corners[k]]);
+            hash.add(scene.normals[triangle.corners[k]]);
+        }
         hash.add(triangle.shape);
+        hash.add(triangle.material);
     }
 }
 
 void add_materials_and_lights(Hash& hash, const Scene& scene) {
     for (const Shape& shape : scene.shapes) {
-        hash.add(shape.bsdf);
         hash.add(shape.emits);
         hash.add(shape.radiance);
     }
-    for (const Diffuse& bsdf : scene.bsdfs) {
-        hash.add(bsdf.albedo);
-        hash.add(bsdf.two_sided);
+    for (const SceneMaterial& material : scene.materials) {
+        hash.add(static_cast<int>(material.kind));
+        hash.add(material.albedo);
+        hash.add(material.two_sided);
     }
     for (const PointLight& light : scene.point_lights) {
         hash.add(light.position);

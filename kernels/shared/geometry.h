@@ -15,7 +15,7 @@ typedef struct Triangle {
     float4 v1;
     float4 v2;
     //------------------------------------------------- 48 B
-    int plane;     // index into planes; coplanar neighbours of one shape share it
+    int plane;     // index into planes; coplanar neighbours of one shape and material share it
     int material;  // index into materials
     int shape;     // index of the shape in the scene, for layers and messages
     int mates;     // triangles of the same plane just before it in the list (bits 0-7) and just after it (bits 8-15), few of each

@@ -7,7 +7,7 @@
 #include "bench/workbench.h"
 #include "pencils/light_samples.h"
 #include "pencils/place_pencils.h"
-#include "scene/mitsuba/load_scene.h"
+#include "scene/formats/load_scene.h"
 #include "visibility/rasterize_clusters.h"
 #include "visibility/rasterize_octahedral.h"
 #include "visibility/trace_octahedral.h"

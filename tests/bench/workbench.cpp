@@ -1,7 +1,7 @@
 #include "bench/workbench.h"
 
 #include "pencils/light_samples.h"
-#include "scene/mitsuba/load_scene.h"
+#include "scene/formats/load_scene.h"
 #include "line/free_space.h"
 #include "line/gather_surfels.h"
 #include "line/pencil_solver.h"

@@ -18,6 +18,7 @@ inline bool is_finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::i
 
 inline void check_mesh(const Mesh& mesh) {
     require(mesh.normals.empty() || mesh.normals.size() == mesh.positions.size());
+    require(mesh.uvs.empty() || mesh.uvs.size() == mesh.positions.size());
     for (const glm::dvec3& position : mesh.positions) require(is_finite(position));
     for (const glm::dvec3& normal : mesh.normals) require(is_finite(normal));
     for (const glm::uvec3& corners : mesh.triangles)

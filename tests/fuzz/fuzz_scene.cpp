@@ -10,7 +10,7 @@
 #include "fuzz/check_mesh.h"
 #include "pencils/flat_scene.h"
 #include "pencils/light_samples.h"
-#include "scene/mitsuba/load_scene.h"
+#include "scene/formats/load_scene.h"
 
 namespace {
 
@@ -52,9 +52,11 @@ void load(const std::string& text) {
     for (const glm::dvec3& position : scene.positions) require(pencil::fuzz::is_finite(position));
     for (const pencil::Triangle3& t : scene.triangles) {
         require(t.shape < scene.shapes.size());
+        require(t.material < scene.materials.size());
         for (int k = 0; k < 3; ++k) require(t.corners[k] < scene.positions.size());
     }
-    for (const pencil::Shape& shape : scene.shapes) require(shape.bsdf < scene.bsdfs.size());
+    require(scene.normals.size() == scene.positions.size());
+    require(scene.uvs.empty() || scene.uvs.size() == scene.positions.size());
     const auto forms = pencil::choose_light_forms(scene, false, false);
     const pencil::FlatScene flat = pencil::flatten(scene, forms, 0, 0);
     for (const pencil::float4& plane : flat.planes) require(pencil::fuzz::is_finite(glm::dvec3(plane)));

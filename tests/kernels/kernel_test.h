@@ -36,7 +36,7 @@ inline float4 to_float4(const dvec3& v, double w = 0.0) {
 }
 inline dvec3 xyz(const float4& v) { return {v.x, v.y, v.z}; }
 
-/// Scene of the reference and the same in device form. Material k belongs to triangles with shape k.
+/// Scene of the reference and the same in device form.
 struct TestScene {
     std::vector<ref::Triangle> triangles;
     FlatScene flat;
@@ -49,19 +49,21 @@ inline Material random_material(Random& random) {
     return m;
 }
 
-/// One plane per value of ref::Triangle::plane (values 0, 1, ... in order of first use); `materials` shapes, dealt out in turn.
+/// One plane per value of ref::Triangle::plane (values 0, 1, ... in order of first use); `materials` shapes, and materials,
+/// dealt out in turn: shapes to triangles, materials to pairs of them.
 inline TestScene make_scene(const std::vector<ref::Triangle>& triangles, int materials, std::uint32_t seed) {
     Random random(seed);
     TestScene scene;
     scene.triangles = triangles;
+    scene.flat.shape_count = materials;
     for (int m = 0; m < materials; ++m) scene.flat.materials.push_back(random_material(random));
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const ref::Triangle& t = triangles[i];
         const dvec3 normal = glm::normalize(glm::cross(t.v1 - t.v0, t.v2 - t.v0));
         if (static_cast<std::size_t>(t.plane) == scene.flat.planes.size())
             scene.flat.planes.push_back(to_float4(normal, glm::dot(normal, t.v0)));
-        const int material = static_cast<int>(i) % materials;
-        scene.flat.triangles.push_back({to_float4(t.v0), to_float4(t.v1), to_float4(t.v2), t.plane, material, material, 0});
+        const int shape = static_cast<int>(i) % materials, material = static_cast<int>(i) / 2 % materials;
+        scene.flat.triangles.push_back({to_float4(t.v0), to_float4(t.v1), to_float4(t.v2), t.plane, material, shape, 0});
     }
     return scene;
 }

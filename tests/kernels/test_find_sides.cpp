@@ -30,9 +30,10 @@ TEST(FindSides, AgainstHits) {
                     const Hit hit = hits[atlas_index(tile, i % n, i / n, n)];
                     if (hit.triangle < 0) continue;
                     const ref::Triangle& t = scene.triangles[static_cast<std::size_t>(hit.triangle)];
-                    const int shape = scene.flat.triangles[static_cast<std::size_t>(hit.triangle)].shape;
+                    const Triangle& flat = scene.flat.triangles[static_cast<std::size_t>(hit.triangle)];
+                    const int shape = flat.shape;
                     const bool back = glm::dot(glm::cross(t.v1 - t.v0, t.v2 - t.v0), c - t.v0) < 0.0;
-                    const bool counts = !back || scene.flat.materials[static_cast<std::size_t>(shape)].albedo.w != 0.0F;
+                    const bool counts = !back || scene.flat.materials[static_cast<std::size_t>(flat.material)].albedo.w != 0.0F;
                     ++(counts ? back ? backs : fronts : left_out);
                     if (counts) expected.insert(2 * shape + (back ? 1 : 0));
                 }

@@ -30,17 +30,17 @@ inline void add_shape(Scene& scene, const std::string& id, const std::vector<Fac
     Shape shape;
     shape.id = id;
     shape.kind = "obj";
-    shape.bsdf = static_cast<std::uint32_t>(scene.bsdfs.size());
     shape.first_triangle = static_cast<std::uint32_t>(scene.triangles.size());
     shape.triangle_count = static_cast<std::uint32_t>(faces.size());
     shape.emits = surface.radiance != glm::vec3(0.0F);
     shape.radiance = surface.radiance;
-    scene.bsdfs.push_back({id, surface.albedo, surface.two_sided});
+    const auto number = static_cast<std::uint32_t>(scene.shapes.size()), material = static_cast<std::uint32_t>(scene.materials.size());
+    scene.materials.push_back({id, MaterialKind::diffuse, surface.albedo, surface.two_sided});
     for (const Face& face : faces) {
         const auto first = static_cast<std::uint32_t>(scene.positions.size());
         scene.positions.insert(scene.positions.end(), face.begin(), face.end());
         scene.normals.insert(scene.normals.end(), 3, glm::vec3(0.0F));
-        scene.triangles.push_back({{first, first + 1, first + 2}, static_cast<std::uint32_t>(scene.shapes.size())});
+        scene.triangles.push_back({{first, first + 1, first + 2}, number, material});
     }
     scene.shapes.push_back(shape);
 }

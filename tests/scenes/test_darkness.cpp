@@ -87,7 +87,7 @@ TEST(Darkness, AlbedoZeroHasNoIndirectLight) {
     scene.point_lights.push_back({{0.5, 0.9, 0.5}, glm::vec3(10.0F)});
     look_at(scene, {0.1, 0.5, 0.1}, {0.9, 0.4, 0.9}, {0, 1, 0}, 90.0, 16, 16);
     expect_zero(layer(render_layers(scene, options(Initial::direct)), ""));
-    for (Diffuse& bsdf : scene.bsdfs) bsdf.albedo = {0.9F, 0.0F, 0.0F};
+    for (SceneMaterial& material : scene.materials) material.albedo = {0.9F, 0.0F, 0.0F};
     const RenderResult red = render_layers(scene, options(Initial::direct), {"direct", "bounces"});
     const Layer& second = layer(red, "bounce2");
     for (std::size_t i = 0; i < pixel_count(second); ++i) {

@@ -106,6 +106,21 @@ TEST(Invariance, OrderOfShapesChangesNothing) {
     EXPECT_LE(d.mean, 1e-4);
 }
 
+/// Materials are of triangles, and shapes that do not emit are only names.
+TEST(Invariance, OneShapeOfManyMaterialsIsManyShapes) {
+    Scene one = room();
+    for (Triangle3& t : one.triangles)
+        if (!one.shapes[t.shape].emits) t.shape = 0;
+    for (const MethodName method : {MethodName::line, MethodName::surface}) {
+        RenderOptions both = options();
+        both.method = method;
+        if (method == MethodName::surface) both.target_error = 1e9;  // two passes
+        const RenderResult a = render_layers(room(), both, {"albedo"}), b = render_layers(one, both, {"albedo"});
+        EXPECT_EQ(layer(a, "").pixels, layer(b, "").pixels);
+        EXPECT_EQ(layer(a, "albedo").pixels, layer(b, "albedo").pixels);
+    }
+}
+
 TEST(Invariance, TwoRendersAreBitwiseEqual) {
     const RenderResult a = render_layers(room(), options(), {"direct", "bounces"}),
                        b = render_layers(room(), options(), {"direct", "bounces"});

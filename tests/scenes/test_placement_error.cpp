@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "reference/path_tracer.h"
-#include "scene/mitsuba/load_scene.h"
+#include "scene/formats/load_scene.h"
 #include "scenes/lit_wall.h"
 
 namespace {

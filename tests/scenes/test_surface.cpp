@@ -5,7 +5,7 @@
 
 #include "reference/form_factor_ref.h"
 #include "reference/path_tracer.h"
-#include "scene/mitsuba/load_scene.h"
+#include "scene/formats/load_scene.h"
 #include "scenes/known_scenes.h"
 #include "scenes/scene_builder.h"
 

@@ -4,7 +4,7 @@
 #include <glm/vec4.hpp>
 
 #include "pencils/light_samples.h"
-#include "scene/mitsuba/load_scene.h"
+#include "scene/formats/load_scene.h"
 #include "line/free_space.h"
 #include "line/pencil_solver.h"
 #include "visibility/rasterize_octahedral.h"

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <string>
 
-#include "scene/mitsuba/load_scene.h"
+#include "scene/formats/load_scene.h"
 #include "util/error.h"
 
 namespace pencil::test {

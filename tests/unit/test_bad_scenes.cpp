@@ -41,7 +41,7 @@ TEST_F(BadScenes, TextThatIsNoScene) {
     expect_text_error(" \n\t", "the file is empty");
     expect_text_error("x", "scene.xml:1: this is not well-formed XML");
     expect_text_error("hello\nworld", "not well-formed XML");
-    expect_text_error(std::string("\x89PNG\r\n\x1a\n\0\0\0", 11), "not UTF-8");
+    expect_text_error(std::string("\x89PNG\r\n\x1a\n\0\0\0", 11), "the format is PNG: an image is no scene");
     expect_text_error(std::string("\xff\xfe<\0s\0", 6), "not UTF-8");
     expect_text_error("<scene version=\"3.0.0\">\xc0\x80</scene>", "not UTF-8");
     expect_text_error("<mitsuba version=\"3.0.0\"/>", "scene.xml:1: the root element is <mitsuba>, not <scene>");

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
+#include <tuple>
 
 #include "unit/scene_fixture.h"
 
@@ -142,13 +143,14 @@ TEST_F(LoadScene, SphereIsClosedRoundAndInPlace) {
         "<shape type=\"sphere\"><point name=\"center\" x=\"1\" y=\"2\" z=\"3\"/><float name=\"radius\" value=\"2\"/>"
         "<transform name=\"to_world\"><scale value=\"0.5\"/></transform></shape>");
     const glm::dvec3 center(0.5, 1, 1.5);
-    std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+    const auto place = [&](std::uint32_t i) { return std::tuple(scene.positions[i].x, scene.positions[i].y, scene.positions[i].z); };
+    std::map<std::pair<std::tuple<double, double, double>, std::tuple<double, double, double>>, int> edges;
     double area = 0.0;
     for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
         const glm::uvec3 c = scene.triangles[t].corners;
         area += glm::length(face_vector(scene, t)) / 2;
         ASSERT_GT(glm::dot(face_vector(scene, t), scene.positions[c.x] - center), 0.0);
-        for (int i = 0; i < 3; ++i) ++edges[{c[i], c[(i + 1) % 3]}];
+        for (int i = 0; i < 3; ++i) ++edges[{place(c[i]), place(c[(i + 1) % 3])}];
     }
     EXPECT_EQ(scene.triangles.size(), 1280U);
     for (const auto& [edge, count] : edges) {  // every edge once in each direction: watertight
@@ -172,23 +174,24 @@ TEST_F(LoadScene, MaterialsByReferenceNestingAndDefault) {
         "<shape type=\"cube\"><ref id=\"other name\"/></shape>"
         "<shape type=\"cube\"><emitter type=\"area\"/></shape>"
         "<shape type=\"cube\"><bsdf type=\"twosided\"><ref id=\"unused\"/></bsdf></shape>");
-    EXPECT_EQ(scene.shapes[0].bsdf, scene.shapes[3].bsdf);
-    EXPECT_EQ(scene.shapes[1].bsdf, scene.shapes[2].bsdf);
-    const Diffuse& named = scene.bsdfs[scene.shapes[0].bsdf];
+    const auto material_of = [&](std::size_t shape) { return scene.triangles[scene.shapes[shape].first_triangle].material; };
+    EXPECT_EQ(material_of(0), material_of(3));
+    EXPECT_EQ(material_of(1), material_of(2));
+    const SceneMaterial& named = scene.materials[material_of(0)];
     EXPECT_EQ(named.id, "later");
     EXPECT_TRUE(named.two_sided);
     EXPECT_EQ(named.albedo, glm::vec3(0.1F, 0.2F, 0.3F));
-    EXPECT_EQ(scene.bsdfs[scene.shapes[1].bsdf].albedo, glm::vec3(0.5F));
-    EXPECT_FALSE(scene.bsdfs[scene.shapes[1].bsdf].two_sided);
-    EXPECT_EQ(scene.bsdfs[scene.shapes[4].bsdf].albedo, glm::vec3(0.0F));  // Mitsuba: emitters without a material are black
+    EXPECT_EQ(scene.materials[material_of(1)].albedo, glm::vec3(0.5F));
+    EXPECT_FALSE(scene.materials[material_of(1)].two_sided);
+    EXPECT_EQ(scene.materials[material_of(4)].albedo, glm::vec3(0.0F));  // Mitsuba: emitters without a material are black
     EXPECT_EQ(scene.shapes[4].radiance, glm::vec3(1.0F));
-    EXPECT_TRUE(scene.bsdfs[scene.shapes[5].bsdf].two_sided);
-    EXPECT_EQ(scene.bsdfs.size(), 4U);  // "unused" alone is not among them
+    EXPECT_TRUE(scene.materials[material_of(5)].two_sided);
+    EXPECT_EQ(scene.materials.size(), 4U);  // "unused" alone is not among them
 }
 
 TEST_F(LoadScene, Colours) {
     const auto albedo = [&](const std::string& colour) {
-        return load_body("<shape type=\"cube\"><bsdf type=\"diffuse\">" + colour + "</bsdf></shape>").bsdfs.at(0).albedo;
+        return load_body("<shape type=\"cube\"><bsdf type=\"diffuse\">" + colour + "</bsdf></shape>").materials.at(0).albedo;
     };
     EXPECT_EQ(albedo("<rgb name=\"reflectance\" value=\"0.1 0.2 0.3\"/>"), glm::vec3(0.1F, 0.2F, 0.3F));
     EXPECT_EQ(albedo("<rgb name=\"reflectance\" value=\"0.25\"/>"), glm::vec3(0.25F));
@@ -224,11 +227,11 @@ TEST_F(LoadScene, DefaultsAndDefines) {
     const std::string body =
         "<default name=\"a\" value=\"0.25\"/><default name=\"ab\" value=\"0.5\"/><default name=\"both\" value=\"$a, $ab, $a\"/>"
         "<shape type=\"cube\"><bsdf type=\"diffuse\"><rgb name=\"reflectance\" value=\"$both\"/></bsdf></shape>";
-    EXPECT_EQ(load_body(body).bsdfs.at(0).albedo, glm::vec3(0.25F, 0.5F, 0.25F));
+    EXPECT_EQ(load_body(body).materials.at(0).albedo, glm::vec3(0.25F, 0.5F, 0.25F));
     LoadOptions options;
     options.defines = {{"a", "0.75"}, {"unknown", "1"}};
     const Scene scene = load_body(body, options);
-    EXPECT_EQ(scene.bsdfs.at(0).albedo, glm::vec3(0.75F, 0.5F, 0.75F));
+    EXPECT_EQ(scene.materials.at(0).albedo, glm::vec3(0.75F, 0.5F, 0.75F));
     EXPECT_TRUE(has_warning(scene, "does not use $unknown"));
 }
 

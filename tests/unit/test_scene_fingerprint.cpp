@@ -11,7 +11,7 @@ Scene one_triangle() {
     scene.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     scene.normals.assign(3, glm::vec3(0));
     scene.triangles = {{{0, 1, 2}, 0}};
-    scene.bsdfs.resize(1);
+    scene.materials.resize(1);
     scene.shapes.resize(1);
     scene.shapes[0].triangle_count = 1;
     return scene;
@@ -27,8 +27,9 @@ TEST(SceneFingerprint, ChangesWithThePicture) {
     };
     EXPECT_TRUE(changed([](Scene& s) { s.positions[1].z = 1e-9; }));
     EXPECT_TRUE(changed([](Scene& s) { s.triangles[0].corners = {0, 2, 1}; }));
-    EXPECT_TRUE(changed([](Scene& s) { s.bsdfs[0].albedo.y = 0.51F; }));
-    EXPECT_TRUE(changed([](Scene& s) { s.bsdfs[0].two_sided = true; }));
+    EXPECT_TRUE(changed([](Scene& s) { s.materials[0].albedo.y = 0.51F; }));
+    EXPECT_TRUE(changed([](Scene& s) { s.materials[0].two_sided = true; }));
+    EXPECT_TRUE(changed([](Scene& s) { s.triangles[0].material = 1; }));
     EXPECT_TRUE(changed([](Scene& s) { s.shapes[0].radiance.x = 1; }));
     EXPECT_TRUE(changed([](Scene& s) { s.point_lights.push_back({{0, 0, 1}, {1, 1, 1}}); }));
     EXPECT_TRUE(changed([](Scene& s) { s.sensor.to_world[3].x = 1; }));
@@ -42,6 +43,17 @@ TEST(SceneFingerprint, IgnoresNamesAndWhatOptionsReplace) {
     scene.sensor.width = 3;
     scene.max_depth = 2;
     EXPECT_EQ(scene_fingerprint(scene), scene_fingerprint(one_triangle()));
+}
+
+TEST(SceneFingerprint, IgnoresHowTrianglesShareVertices) {
+    Scene shared = one_triangle(), split = one_triangle();
+    shared.triangles.push_back({{2, 1, 0}, 0});
+    split.positions.insert(split.positions.end(), {{0, 1, 0}, {1, 0, 0}, {0, 0, 0}});
+    split.normals.assign(6, glm::vec3(0));
+    split.uvs.assign(6, glm::vec2(0.5F));
+    split.triangles.push_back({{3, 4, 5}, 0});
+    EXPECT_EQ(scene_fingerprint(shared), scene_fingerprint(split));
+    EXPECT_NE(scene_fingerprint(shared), scene_fingerprint(one_triangle()));
 }
 
 TEST(SceneFingerprint, OfBytesIsFnv1a) {

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-#include "scene/mitsuba/load_scene.h"
+#include "scene/formats/load_scene.h"
 #include "scene/mitsuba/spectrum.h"
 
 namespace pencil {
@@ -103,10 +103,10 @@ TEST(Spectrum, CornellBoxSceneHoldsTheMeasuredColours) {
     expect_near(emission_to_rgb(red), {0.570068, 0.0430135, 0.0443706}, 5e-4);
 
     const Scene scene = load_scene(std::string(PENCIL_SOURCE_DIR) + "/scenes/cornell-box.xml");
-    for (const Diffuse& bsdf : scene.bsdfs) {
-        if (bsdf.id == "white") expect_near(bsdf.albedo, reflectance_to_rgb(white), printed);
-        if (bsdf.id == "green") expect_near(bsdf.albedo, reflectance_to_rgb(green), printed);
-        if (bsdf.id == "red") expect_near(bsdf.albedo, reflectance_to_rgb(red), printed);
+    for (const SceneMaterial& material : scene.materials) {
+        if (material.id == "white") expect_near(material.albedo, reflectance_to_rgb(white), printed);
+        if (material.id == "green") expect_near(material.albedo, reflectance_to_rgb(green), printed);
+        if (material.id == "red") expect_near(material.albedo, reflectance_to_rgb(red), printed);
     }
     const glm::dvec3 light = emission_to_rgb({{400, 500, 600, 700}, {0, 8, 15.6, 18.4}});
     EXPECT_TRUE(scene.shapes.back().emits);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@ namespace pencil {
 struct Mesh {
     std::vector<glm::dvec3> positions;
     std::vector<glm::dvec3> normals;  // as many as positions, or none; a zero vector means none for that vertex
+    std::vector<glm::vec2> uvs;       // texture coordinates, as many as positions, or none
     std::vector<glm::uvec3> triangles;
     bool smooth = false;  // placing the mesh computes its vertex normals if it has none
 };
@@ -33,16 +35,24 @@ struct PlacementCounts {
     std::size_t turned = 0;   // wound against their vertex normals, and so turned round
 };
 
-/// Appends the mesh, transformed, to the scene's arrays as triangles of shape number `shape`. The side of the transformed normal stays
-/// the front, under mirroring too. Vertices that no kept triangle uses are left out. `where` is blamed for coordinates out of range.
-PlacementCounts place_mesh(const Mesh& mesh, const Placement& placement, std::uint32_t shape, const std::string& where, Scene& scene);
+/// Whose triangles these are: indices into Scene::shapes and Scene::materials.
+struct Owner {
+    std::uint32_t shape = 0, material = 0;
+};
+
+/// Appends the mesh, transformed, to the scene's arrays as triangles of `owner`. The side of the transformed normal stays the front, under
+/// mirroring too. Vertices that no kept triangle uses are left out. `where` is blamed for coordinates out of range.
+PlacementCounts place_mesh(const Mesh& mesh, const Placement& placement, Owner owner, const std::string& where, Scene& scene);
+
+// Built-in shapes have the texture coordinates of Mitsuba's.
 
 /// [-1, 1]^2 at z = 0, front towards +z.
 Mesh make_rectangle();
 /// [-1, 1]^3, fronts outward.
 Mesh make_cube();
 /// Unit sphere as an icosahedron divided three times: 1280 triangles with vertices on the sphere and its normals. The flat triangles have
-/// 0.5 % less area than the sphere and lie up to 0.5 % of the radius inside it.
+/// 0.5 % less area than the sphere and lie up to 0.5 % of the radius inside it. uv: longitude / (2 pi) from +x over +y, colatitude from +z
+/// / pi; triangles across the seam have u beyond 1, and a corner on a pole has the mean u of the other two.
 Mesh make_sphere();
 
 }  // namespace pencil

@@ -36,7 +36,7 @@ public:
         if (mesh.normals.empty() && mesh.smooth) compute_normals();
     }
 
-    PlacementCounts place(std::uint32_t shape) {
+    PlacementCounts place(Owner owner) {
         PlacementCounts counts;
         for (glm::uvec3 corners : mesh_.triangles) {
             if (turns()) std::swap(corners.y, corners.z);
@@ -53,7 +53,7 @@ public:
             if (scene_.triangles.size() >= max_triangles) {
                 throw SceneError(where_, "the scene has more than " + std::to_string(max_triangles) + " triangles");
             }
-            scene_.triangles.push_back({{vertex(corners.x), vertex(corners.y), vertex(corners.z)}, shape});
+            scene_.triangles.push_back({{vertex(corners.x), vertex(corners.y), vertex(corners.z)}, owner.shape, owner.material});
         }
         return counts;
     }
@@ -100,8 +100,16 @@ private:
             placed_[i] = static_cast<std::uint32_t>(scene_.positions.size());
             scene_.positions.push_back(world_[i]);
             scene_.normals.push_back(normals_.empty() ? glm::vec3(0.0F) : glm::vec3(normals_[i]));
+            add_uv(i);
         }
         return placed_[i];
+    }
+
+    /// The first shape with texture coordinates fills up those of the vertices before.
+    void add_uv(std::uint32_t i) {
+        if (mesh_.uvs.empty() && scene_.uvs.empty()) return;
+        scene_.uvs.resize(scene_.positions.size(), glm::vec2(0.0F));
+        if (!mesh_.uvs.empty()) scene_.uvs.back() = mesh_.uvs[i];
     }
 
     const Mesh& mesh_;
@@ -115,8 +123,8 @@ private:
 
 }  // namespace
 
-PlacementCounts place_mesh(const Mesh& mesh, const Placement& placement, std::uint32_t shape, const std::string& where, Scene& scene) {
-    return Placer(mesh, placement, where, scene).place(shape);
+PlacementCounts place_mesh(const Mesh& mesh, const Placement& placement, Owner owner, const std::string& where, Scene& scene) {
+    return Placer(mesh, placement, where, scene).place(owner);
 }
 
 }  // namespace pencil

@@ -1,5 +1,5 @@
-// One pass over the lines. An index may only name what stands above it. Corners with the same position and normal become one vertex;
-// where no normal is given, those with the same position and texture coordinate, so that seams of the texture stay edges (Mitsuba's rule).
+// One pass over the lines. An index may only name what stands above it. Corners with the same position, texture coordinate and normal
+// become one vertex, so that where no normal is given seams of the texture stay edges (Mitsuba's rule).
 #include "scene/meshes/read_obj.h"
 
 #include <cmath>
@@ -13,6 +13,16 @@ namespace pencil {
 namespace {
 
 constexpr std::size_t max_line_bytes = std::size_t{64} << 20;  // a polygon of some million corners
+
+/// Index of a position from 0, of texture coordinates and a normal from 1, 0 for none.
+struct Corner {
+    std::size_t position, uv, normal;
+    bool operator==(const Corner& other) const { return position == other.position && uv == other.uv && normal == other.normal; }
+};
+
+struct CornerHash {
+    std::size_t operator()(const Corner& c) const { return (c.position * 0x9e3779b97f4a7c15 ^ c.uv) * 0x9e3779b97f4a7c15 ^ c.normal; }
+};
 
 class ObjReader {
 public:
@@ -29,6 +39,7 @@ public:
             throw SceneError(name_, "no vertex in the whole file: is it an OBJ file?");
         }
         if (!any_normal_) mesh_.normals.clear();
+        if (!any_uv_) mesh_.uvs.clear();
         mesh_.smooth = true;
         return std::move(mesh_);
     }
@@ -52,11 +63,11 @@ private:
         if (const std::string_view rest = trimmed(line); !rest.empty() && rest.back() == '\\')
             fail("lines continued with \\ are not supported");
         if (keyword == "v") {
-            positions_.push_back(numbers("v", line, 7));  // x y z, then perhaps w or a colour
+            positions_.push_back(numbers("v", line, 3, 7));  // x y z, then perhaps w or a colour
         } else if (keyword == "vn") {
-            normals_.push_back(numbers("vn", line, 3));
+            normals_.push_back(numbers("vn", line, 3, 3));
         } else if (keyword == "vt") {
-            ++texture_coordinates_;
+            uvs_.emplace_back(numbers("vt", line, 1, 3));  // u, then perhaps v and w
         } else if (keyword == "f") {
             face(line);
         } else if (keyword.find('\0') != std::string_view::npos) {
@@ -64,7 +75,8 @@ private:
         }
     }
 
-    glm::dvec3 numbers(const char* keyword, std::string_view line, int at_most) const {
+    /// The first three of them; zero where there are fewer.
+    glm::dvec3 numbers(const char* keyword, std::string_view line, int at_least, int at_most) const {
         glm::dvec3 result(0.0);
         int count = 0;
         for (std::string_view word = next_word(line); !word.empty() && word[0] != '#'; word = next_word(line), ++count) {
@@ -73,7 +85,7 @@ private:
             if (count >= at_most) fail(std::string(keyword) + " has more than " + std::to_string(at_most) + " numbers");
             if (count < 3) result[count] = *value;
         }
-        if (count < 3) fail(std::string(keyword) + " has " + std::to_string(count) + " numbers, not 3");
+        if (count < at_least) fail(std::string(keyword) + " has " + std::to_string(count) + " numbers, not " + std::to_string(at_least));
         return result;
     }
 
@@ -102,16 +114,15 @@ private:
             rest.remove_prefix(slash + 1);
         }
         const std::size_t position = index(part[0], positions_.size(), "vertex", word);
-        const std::size_t texture = part[1].empty() ? 0 : index(part[1], texture_coordinates_, "texture coordinate", word) + 1;
-        const bool has_normal = !part[2].empty();
-        const std::size_t normal = has_normal ? index(part[2], normals_.size(), "normal", word) + 1 : 0;
-        const auto [place, is_new] =
-            vertices_[has_normal ? 1 : 0].emplace((static_cast<std::uint64_t>(position) << 32) | (has_normal ? normal : texture),
-                                                  static_cast<std::uint32_t>(mesh_.positions.size()));
+        const std::size_t uv = part[1].empty() ? 0 : index(part[1], uvs_.size(), "texture coordinate", word) + 1;
+        const std::size_t normal = part[2].empty() ? 0 : index(part[2], normals_.size(), "normal", word) + 1;
+        const auto [place, is_new] = vertices_.emplace(Corner{position, uv, normal}, static_cast<std::uint32_t>(mesh_.positions.size()));
         if (is_new) {
             mesh_.positions.push_back(positions_[position]);
-            mesh_.normals.push_back(has_normal ? normals_[normal - 1] : glm::dvec3(0.0));
-            any_normal_ = any_normal_ || has_normal;
+            mesh_.normals.push_back(normal > 0 ? normals_[normal - 1] : glm::dvec3(0.0));
+            mesh_.uvs.push_back(uv > 0 ? uvs_[uv - 1] : glm::vec2(0.0F));
+            any_normal_ = any_normal_ || normal > 0;
+            any_uv_ = any_uv_ || uv > 0;
         }
         return place->second;
     }
@@ -133,9 +144,9 @@ private:
     const std::string& name_;
     std::size_t line_ = 1;
     std::vector<glm::dvec3> positions_, normals_;
-    std::size_t texture_coordinates_ = 0;
-    std::unordered_map<std::uint64_t, std::uint32_t> vertices_[2];  // without and with a normal, by position and texture or normal index
-    bool any_normal_ = false;
+    std::vector<glm::vec2> uvs_;
+    std::unordered_map<Corner, std::uint32_t, CornerHash> vertices_;
+    bool any_normal_ = false, any_uv_ = false;
     Mesh mesh_;
 };
 

@@ -8,7 +8,8 @@
 
 namespace pencil {
 
-/// `name` is the file's name for messages. Polygons become fans from their first corner. Normals only where a face names them.
+/// `name` is the file's name for messages. Polygons become fans from their first corner. Normals and texture coordinates only where a face
+/// names them.
 Mesh read_obj(std::string_view text, const std::string& name);
 
 }  // namespace pencil

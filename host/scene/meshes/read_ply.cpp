@@ -3,6 +3,7 @@
 #include "scene/meshes/read_ply.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -57,13 +58,29 @@ private:
         return place == element.properties.end() ? -1 : static_cast<int>(place - element.properties.begin());
     }
 
+    /// Empty unless the element has all of these.
+    static std::vector<int> columns(const PlyElement& element, std::initializer_list<const char*> names) {
+        std::vector<int> found;
+        for (const char* name : names) found.push_back(index_of(element, name));
+        return *std::min_element(found.begin(), found.end()) < 0 ? std::vector<int>() : found;
+    }
+
+    /// Programs differ in the names.
+    static std::vector<int> uv_columns(const PlyElement& element) {
+        for (const auto& names :
+             {std::array{"u", "v"}, std::array{"s", "t"}, std::array{"texture_u", "texture_v"}, std::array{"texture_s", "texture_t"}}) {
+            const std::vector<int> found = columns(element, {names[0], names[1]});
+            if (!found.empty()) return found;
+        }
+        return {};
+    }
+
     void vertices(const PlyElement& element) {
-        const int position[] = {index_of(element, "x"), index_of(element, "y"), index_of(element, "z")};
-        const int normal[] = {index_of(element, "nx"), index_of(element, "ny"), index_of(element, "nz")};
+        const std::vector<int> position = columns(element, {"x", "y", "z"}), normal = columns(element, {"nx", "ny", "nz"}),
+                               uv = uv_columns(element);
         const std::string where = name_ + ":" + std::to_string(element.header_line);
-        if (*std::min_element(position, position + 3) < 0) throw SceneError(where, "element \"vertex\" needs the properties x, y and z");
+        if (position.empty()) throw SceneError(where, "element \"vertex\" needs the properties x, y and z");
         if (!mesh_.positions.empty()) throw SceneError(where, "element \"vertex\" is given twice");
-        const bool has_normals = *std::min_element(normal, normal + 3) >= 0;
         mesh_.positions.reserve(static_cast<std::size_t>(element.count));
         std::vector<double> row(element.properties.size());
         for (std::uint64_t i = 0; i < element.count; ++i) {
@@ -71,14 +88,16 @@ private:
             for (std::size_t p = 0; p < row.size(); ++p) row[p] = value(element.properties[p]);
             source_.end_row();
             mesh_.positions.push_back(finite(row, position, "position", i));
-            if (has_normals) mesh_.normals.push_back(finite(row, normal, "normal", i));
+            if (!normal.empty()) mesh_.normals.push_back(finite(row, normal, "normal", i));
+            if (!uv.empty()) mesh_.uvs.emplace_back(finite(row, uv, "texture coordinate", i));
         }
     }
 
-    glm::dvec3 finite(const std::vector<double>& row, const int (&columns)[3], const char* what, std::uint64_t i) const {
+    /// The numbers of these columns, zero where there are fewer than three.
+    glm::dvec3 finite(const std::vector<double>& row, const std::vector<int>& from, const char* what, std::uint64_t i) const {
         glm::dvec3 result(0.0);
-        for (int c = 0; c < 3; ++c) {
-            result[c] = row[static_cast<std::size_t>(columns[c])];
+        for (int c = 0; c < static_cast<int>(from.size()); ++c) {
+            result[c] = row[static_cast<std::size_t>(from[static_cast<std::size_t>(c)])];
             if (!std::isfinite(result[c])) source_.fail("the " + std::string(what) + " of vertex " + std::to_string(i) + " is not finite");
         }
         return result;

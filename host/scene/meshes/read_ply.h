@@ -1,4 +1,5 @@
-// PLY in its three encodings: the positions, normals and faces of a mesh; all other elements and properties are skipped.
+// PLY in its three encodings: the positions, normals, texture coordinates and faces of a mesh; all other elements and properties are
+// skipped.
 #pragma once
 
 #include <string>

@@ -6,10 +6,10 @@ namespace {
 
 constexpr int deepest = 4;  // twosided holds one diffuse; a chain longer than this is a circle of references
 
-Diffuse read_nested(XmlSource& source, pugi::xml_node node, int depth) {
+SceneMaterial read_nested(XmlSource& source, pugi::xml_node node, int depth) {
     Properties p(source, node);
     const std::string type = node.attribute("type").value();
-    Diffuse result;
+    SceneMaterial result;
     if (type == "diffuse") {
         const char* name = p.has("diffuse_reflectance") ? "diffuse_reflectance" : "reflectance";  // the former is an alias in Mitsuba 0.x
         result.albedo = p.colour(name, glm::vec3(0.5F), ColourUse::reflectance);
@@ -31,6 +31,6 @@ Diffuse read_nested(XmlSource& source, pugi::xml_node node, int depth) {
 
 }  // namespace
 
-Diffuse read_bsdf(XmlSource& source, pugi::xml_node node) { return read_nested(source, node, 0); }
+SceneMaterial read_bsdf(XmlSource& source, pugi::xml_node node) { return read_nested(source, node, 0); }
 
 }  // namespace pencil

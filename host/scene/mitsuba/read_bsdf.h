@@ -6,6 +6,6 @@
 
 namespace pencil {
 
-Diffuse read_bsdf(XmlSource& source, pugi::xml_node node);
+SceneMaterial read_bsdf(XmlSource& source, pugi::xml_node node);
 
 }  // namespace pencil
