@@ -12,7 +12,7 @@
 namespace pencil {
 
 struct Features {
-    bool smooth = false;  // some triangle has vertex normals: interpolated shading normals
+    bool smooth = false;    // some triangle has vertex normals: interpolated shading normals
     int film_samples = 16;  // visibility samples per pixel
     bool outgoing = false;  // some material reflects by where it is seen from: surfels carry that direction
     // What the method needs:
