@@ -6,7 +6,7 @@ void sum_hemispheres(Kernels& kernels, const Buffer<float>& radiance, int capaci
                      Buffer<float4>& irradiance) {
     kernels.get("sum_hemispheres")
         .args(radiance, capacity, first_surfel, first, count, n, irradiance)
-        .run(static_cast<std::size_t>(count), "sum hemispheres", 8);
+        .run(static_cast<std::size_t>(count), "sum hemispheres", pencil_group);
 }
 
 }  // namespace pencil

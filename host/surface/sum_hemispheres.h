@@ -2,6 +2,7 @@
 #pragma once
 
 #include "device/features.h"
+#include "surface/surface_pencils.h"
 
 namespace pencil {
 

@@ -6,6 +6,10 @@
 
 namespace pencil {
 
+/// Work-group of kernels that sum the texels of one pencil per work-item: pencils are few and their work is long, so small groups keep all
+/// units of a device busy.
+constexpr std::size_t pencil_group = 8;
+
 /// Pencils with their irradiance, and room for more; maps are not kept, only their sums.
 struct SurfacePencils {
     SurfacePencils() = default;

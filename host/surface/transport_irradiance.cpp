@@ -6,7 +6,7 @@ void transport_irradiance(Kernels& kernels, const Surfels& surfels, const Surfac
                           const Buffer<float4>& source, Buffer<float4>& target, Buffer<float4>& total) {
     kernels.get("transport_irradiance")
         .args(surfels.data, surfels.capacity, links.pencils, links.weights, count, n, source, target, total)
-        .run(static_cast<std::size_t>(count), "transport irradiance", 8);
+        .run(static_cast<std::size_t>(count), "transport irradiance", pencil_group);
 }
 
 }  // namespace pencil

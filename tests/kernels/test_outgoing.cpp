@@ -59,6 +59,8 @@ TEST(Outgoing, OfTexels) {
     for (const int n : {8, 24}) {
         const GeometryMaps maps = rasterized(off_kernels, on_device, centres, n);
         Surfels off(off_kernels, maps.count * n * n, "off"), on(on_kernels, maps.count * n * n, "on");
+        for (Surfels* used : {&off, &on})  // buffers are used again: surfels that see nothing must say so
+            used->data = Buffer<float>(device(), std::vector<float>(static_cast<std::size_t>(used->capacity * used->fields), 7.0F), "used");
         gather_surfels(off_kernels, on_device, maps, 0, maps.count, off);
         gather_surfels(on_kernels, on_device, maps, 0, maps.count, on);
         check(off, on, [&](int i) { return xyz(centres[static_cast<std::size_t>(i / (n * n))]); });
