@@ -38,15 +38,16 @@ glm::vec3 PathIntegrator::direct_light(const RayHit& hit, const Reflection& refl
     const EmitterSample light = emitters_.sample(u);
     const glm::vec3 segment = light.point - hit.point;
     const float square = glm::dot(segment, segment), inverse = 1.0F / std::sqrt(square);
-    const glm::vec3 omega_i = reflection.frame.to_local(segment) * inverse;
+    const glm::vec3 omega_i = reflection.frame().to_local(segment) * inverse;
     const float cosine = omega_i.z;
     if (!(cosine > 0.0F) || !(glm::dot(hit.normal, segment) > 0.0F)) return glm::vec3(0.0F);
     const SurfaceMaterial& material = reflection.material;
-    glm::vec3 radiance = light.emitted * (cosine / (pi * light.density * square)) * evaluate(material, reflection.omega_o, omega_i);
+    glm::vec3 radiance = light.emitted * (cosine / (pi * light.density * square)) * evaluate(material, reflection.omega_o(), omega_i);
     if (!light.is_point) {
         const float light_cosine = -glm::dot(light.normal, segment) * inverse;
         if (!(light_cosine > 0.0F)) return glm::vec3(0.0F);
-        radiance *= light_cosine * power_heuristic(light.density * square, pdf(material, reflection.omega_o, omega_i) * light_cosine / pi);
+        radiance *=
+            light_cosine * power_heuristic(light.density * square, pdf(material, reflection.omega_o(), omega_i) * light_cosine / pi);
     }
     const glm::vec3 from = off_surface(hit.point, hit.normal, hit.offset), to = off_surface(light.point, light.normal, light.offset);
     ++sums.rays;
@@ -70,14 +71,13 @@ void PathIntegrator::trace(const Ray& camera_ray, const RayHit& first, float wei
         }
         const SurfaceMaterial& material = scene_.materials()[hit.material];
         if (depth == max_depth_ || !(hit.front || material.two_sided)) return;
-        const ShadingFrame frame(hit.shading);
-        const Reflection reflection{material, frame, -glm::normalize(frame.to_local(ray.direction))};
-        if (albedo(material, reflection.omega_o) == glm::vec3(0.0F)) return;
+        const Reflection reflection{material, hit.shading, ray.direction};
+        if (albedo(material, reflection.omega_o()) == glm::vec3(0.0F)) return;
         const glm::dvec2 light_u = sampler.next_2d(), brdf_u = sampler.next_2d();
         if (!emitters_.empty()) record(sums, depth, weight * throughput * direct_light(hit, reflection, light_u, sums));
 
-        const BrdfSample chosen = sample(material, reflection.omega_o, brdf_u);
-        const glm::vec3 direction = frame.to_world(chosen.omega_i);
+        const BrdfSample chosen = sample(material, reflection.omega_o(), brdf_u);
+        const glm::vec3 direction = reflection.frame().to_world(chosen.omega_i);
         if (!(chosen.pdf > 0.0F && glm::dot(direction, hit.normal) > 0.0F)) return;
         throughput *= chosen.weight;
         density = chosen.pdf / pi;

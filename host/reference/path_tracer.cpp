@@ -147,8 +147,8 @@ private:
 
     void add_surface(const Ray& ray, const RayHit& hit, float weight, SurfaceSums& sums) const {
         const SurfaceMaterial& material = scene_.materials()[hit.material];
-        const glm::vec3 omega_o = -glm::normalize(ShadingFrame(hit.shading).to_local(ray.direction));
-        if (hit.front || material.two_sided) sums.albedo += weight * albedo(material, omega_o);
+        const Reflection reflection{material, hit.shading, ray.direction};
+        if (hit.front || material.two_sided) sums.albedo += weight * albedo(material, reflection.omega_o());
         sums.normal += weight * hit.shading;
         sums.position += weight * hit.point;
         sums.weight += weight;

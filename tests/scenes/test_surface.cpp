@@ -169,7 +169,7 @@ TEST(Surface, FurnaceIsExactInEveryGeneration) {
     options.width = options.height = 16;
     int passes = 0;
     const auto stop_in_pass_16 = [&](const std::string& stage, double) { return stage != "film pencils" || ++passes < 16; };
-    const RenderResult result = render(furnace(0.8F), options, {}, device(), stop_in_pass_16);
+    const RenderResult result = render(furnace(0.8F), options, device(), stop_in_pass_16);
     EXPECT_EQ(result.stats.passes, 15) << "one of the fourth generation, which has fine film pencils";
     expect_uniform(layer(result, ""), 5.0, 1e-3);
 }
