@@ -53,6 +53,9 @@ std::string place_of(const std::string& name, const std::string& includer) {
 
 class Resolver {
 public:
+    /// `file`: what the main text is, which is not included once more.
+    explicit Resolver(const std::string& file) : taken_{file} {}
+
     /// Appends `text` with its includes; `conditional`: it stands between #if and #endif.
     void append(const std::string& text, const std::string& file, bool conditional) {
         out_ += line_directive(1, shown(file));
@@ -117,7 +120,7 @@ std::string kernel_source(const std::string& file) {
 }
 
 std::string resolve_includes(const std::string& text, const std::string& file) {
-    Resolver resolver;
+    Resolver resolver(file);
     resolver.append(text, file, false);
     return resolver.take();
 }

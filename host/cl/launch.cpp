@@ -21,7 +21,7 @@ std::string range_text(const cl::NDRange& range) {
 
 }  // namespace
 
-Launch::Launch(std::shared_ptr<Device> device, cl::Kernel kernel, std::string name, std::shared_ptr<CompiledSizes> compiled)
+Launch::Launch(std::shared_ptr<Device> device, cl::Kernel kernel, std::string name, std::shared_ptr<CompiledKernel> compiled)
     : device_(std::move(device)), kernel_(std::move(kernel)), name_(std::move(name)), compiled_(std::move(compiled)) {
     cl_call([&] { return "reading the limits of kernel " + name_; },
             [&] {
@@ -88,7 +88,7 @@ void Launch::enqueue(const cl::NDRange& global, const cl::NDRange& local, const 
     // that the time beyond its own run counts as build time.
     const std::size_t global_y = global.dimensions() == 2 ? global.get()[1] : 0, local_y = local.dimensions() == 2 ? local.get()[1] : 0;
     const bool large = std::max(global.get()[0], global_y) >= large_grid;
-    const bool first = compiled_->emplace(local.get()[0], local_y, large).second;
+    const bool first = compiled_->sizes.emplace(local.get()[0], local_y, large).second;
     cl_call(doing, [&] {
         if (first) device_->queue().finish();
         const auto start = std::chrono::steady_clock::now();

@@ -16,7 +16,7 @@
 namespace pencil {
 namespace {
 
-constexpr const char* build_flags = "-cl-std=CL1.2 -Werror";
+constexpr const char* build_flags = "-cl-std=CL1.2 -cl-kernel-arg-info -Werror";
 
 // Clang warns that vectors wider than the CPU's registers pass differently than with other -m options; a program is one unit, so nothing
 // can disagree. Asked for by PENCIL_WIDTH beyond the native width.
@@ -88,7 +88,7 @@ Launch ProgramCache::kernel(const std::string& name, const std::string& file, co
         throw_cl_error(error, "no kernel named " + name + " in " + file);
     }
     auto& compiled = compiled_[key + " " + name];
-    if (!compiled) compiled = std::make_shared<CompiledSizes>();
+    if (!compiled) compiled = std::make_shared<CompiledKernel>(CompiledKernel{read_parameters(kernel), {}});
     return Launch(device_, std::move(kernel), name, compiled);
 }
 

@@ -12,25 +12,38 @@
 
 #include "cl/buffer.h"
 #include "cl/device.h"
+#include "cl/device_type.h"
+#include "cl/kernel_parameters.h"
 
 namespace pencil {
 
 using Defines = std::map<std::string, std::string>;  // PENCIL_X -> value
 
-/// Local sizes (x, y or 0) that a kernel was launched with, and whether the grid was large: what PoCL generates code for.
-using CompiledSizes = std::set<std::tuple<std::size_t, std::size_t, bool>>;
+/// What is known of a kernel that was built.
+struct CompiledKernel {
+    std::vector<KernelParameter> parameters;
+    /// Local sizes (x, y or 0) that it was launched with, and whether the grid was large: what PoCL generates code for.
+    std::set<std::tuple<std::size_t, std::size_t, bool>> sizes;
+};
+
+template <typename T>
+struct IsGroup : std::false_type {};
+template <typename... T>
+struct IsGroup<std::tuple<T...>> : std::true_type {};
 
 /// A kernel bound to its arguments; `run` launches it. Global sizes are rounded up to the local size: kernels test their bounds.
 class Launch {
 public:
     Launch(std::shared_ptr<Device> device, cl::Kernel kernel, std::string name,
-           std::shared_ptr<CompiledSizes> compiled = std::make_shared<CompiledSizes>());
+           std::shared_ptr<CompiledKernel> compiled = std::make_shared<CompiledKernel>());
 
+    /// Buffers, values, and groups of them (tuples) that travel together, in the order of the kernel's parameters. DeviceError if number,
+    /// type or address space differ from what the kernel declares.
     template <typename... Args>
     Launch& args(const Args&... values) {
-        unsigned index = 0;
-        (set(index++, values), ...);
-        check_argument_count(index);
+        given_ = 0;
+        (add(values), ...);
+        check_argument_count(given_);
         return *this;
     }
     /// 1-D; `local` 0: the size the kernel requires (reqd_work_group_size), else the device's local_size(). Larger local sizes than the
@@ -42,12 +55,19 @@ public:
 
 private:
     template <typename T>
-    void set(unsigned index, const Buffer<T>& buffer) {
-        set_buffer(index, buffer.handle());
+    void add(const Buffer<T>& buffer) {
+        check_argument(name_, compiled_->parameters, given_, DeviceType<T>::name, true);
+        set_buffer(given_++, buffer.handle());
     }
     template <typename T>
-    std::enable_if_t<std::is_trivially_copyable_v<T>> set(unsigned index, const T& value) {
-        set_value(index, &value, sizeof(T));
+    void add(const T& value) {
+        if constexpr (IsGroup<T>::value) {
+            std::apply([this](const auto&... members) { (add(members), ...); }, value);
+        } else {
+            static_assert(std::is_trivially_copyable_v<T>, "a kernel takes plain data by value");
+            check_argument(name_, compiled_->parameters, given_, DeviceType<T>::name, false);
+            set_value(given_++, &value, sizeof(T));
+        }
     }
     void set_buffer(unsigned index, const cl::Buffer& buffer);
     void set_value(unsigned index, const void* value, std::size_t bytes);
@@ -58,8 +78,8 @@ private:
     std::shared_ptr<Device> device_;
     cl::Kernel kernel_;
     std::string name_;
-    std::shared_ptr<CompiledSizes> compiled_;
-    unsigned argument_count_ = 0;
+    std::shared_ptr<CompiledKernel> compiled_;
+    unsigned argument_count_ = 0, given_ = 0;
     std::size_t max_group_ = 1;                    // work-items per group that this kernel allows on this device
     std::size_t required_x_ = 0, required_y_ = 0;  // reqd_work_group_size, 0 if none
 };
@@ -80,7 +100,7 @@ private:
     cl::Program build(const std::string& file, const Defines& defines);
     std::shared_ptr<Device> device_;
     std::map<std::string, cl::Program> programs_;
-    std::map<std::string, std::shared_ptr<CompiledSizes>> compiled_;  // by program and kernel name
+    std::map<std::string, std::shared_ptr<CompiledKernel>> compiled_;  // by program and kernel name
 };
 
 }  // namespace pencil

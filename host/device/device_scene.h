@@ -1,6 +1,8 @@
 // The flattened scene in device memory.
 #pragma once
 
+#include <tuple>
+
 #include "cl/buffer.h"
 #include "pencils/build_bvh.h"
 #include "pencils/cluster_triangles.h"
@@ -16,6 +18,12 @@ struct Prepared {
 struct DeviceScene {
     /// `bvh`: empty where no kernel follows rays; `grouped`: empty where none rasterises by clusters.
     DeviceScene(const std::shared_ptr<Device>& device, const FlatScene& flat, const Bvh& bvh = {}, const Clusters& grouped = {});
+
+    /// Arguments of kernels: `triangles, planes`; with `materials, normals` behind them; `triangles, triangle_count, planes`; `nodes, leaves`.
+    auto faces() const { return std::tie(triangles, planes); }
+    auto surfaces() const { return std::tie(triangles, planes, materials, normals); }
+    auto all_triangles() const { return std::tie(triangles, triangle_count, planes); }
+    auto hierarchy() const { return std::tie(nodes, leaves); }
 
     Prepared prepared() const { return {cluster_count > 0, has_bvh}; }
 

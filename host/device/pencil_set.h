@@ -3,9 +3,11 @@
 
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
+#include <tuple>
 #include <vector>
 
 #include "cl/buffer.h"
+#include "device/device_scene.h"
 #include "shared/atlas.h"
 #include "shared/geometry.h"
 #include "shared/light.h"
@@ -22,6 +24,10 @@ struct GeometryMaps {
     /// Copies one tile of maps of the same size.
     void copy_tile(const GeometryMaps& other, int source, int target);
 
+    /// Arguments of kernels: `cops, pencil_count`; `cops, first_tile, tile_count, n`.
+    auto centres() const { return std::tie(cops, count); }
+    auto tiles(int first, int number) const { return std::tuple<const Buffer<float4>&, int, int, int>(cops, first, number, n); }
+
     int count = 0;  // tiles
     int n = 0;      // texels along a side
     Buffer<float4> cops;
@@ -29,6 +35,11 @@ struct GeometryMaps {
     Buffer<glm::ivec4> groups;  // triangles about footprints that no plane fills
     Buffer<glm::ivec2> cells;   // planes that each footprint shows for sure, see fold_hits.cl
 };
+
+/// Arguments `cells, groups, hits, triangles, planes, n` of kernels that test visibility by maps.
+inline auto visibility_map(const GeometryMaps& maps, const DeviceScene& scene) {
+    return std::tie(maps.cells, maps.groups, maps.hits, scene.triangles, scene.planes, maps.n);
+}
 
 /// Pencils: geometry maps with radiance (rgb) and density weight 1/D (w) per texel. Sets of one fixed iteration share their maps.
 struct PencilSet {
@@ -43,6 +54,9 @@ struct PencilSet {
 struct LightSet {
     LightSet() = default;
     LightSet(const std::shared_ptr<Device>& device, const std::vector<LightSample>& light_samples, int tile_size);
+
+    /// Arguments `samples, sample_count` of kernels.
+    auto list() const { return std::tie(samples, maps.count); }
 
     Buffer<LightSample> samples;
     GeometryMaps maps;

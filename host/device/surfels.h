@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <tuple>
 
 #include "cl/buffer.h"
 #include "device/features.h"
@@ -37,6 +38,10 @@ struct Surfels {
         larger.count = count;
         *this = std::move(larger);
     }
+
+    /// Arguments `surfels, capacity, surfel_count` of kernels, and without the last.
+    auto list() const { return std::tie(data, capacity, count); }
+    auto store() const { return std::tie(data, capacity); }
 
     int capacity = 0;
     int count = 0;  // used now, at most capacity

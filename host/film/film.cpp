@@ -59,7 +59,7 @@ Film::Film(Kernels& kernels, const DeviceScene& scene, const Camera& camera, con
 
 void Film::classify(Kernels& kernels, const DeviceScene& scene, int first_row, int rows) {
     kernels.get("classify_film")
-        .args(hits_, camera_, offsets_, samples_, first_row, rows, scene.triangles, scene.planes, slots_, counts_)
+        .args(strip(first_row, rows), scene.faces(), slots_, counts_)
         .run(static_cast<std::size_t>(rows) * static_cast<std::size_t>(camera_.width), "classify film samples");
 }
 
@@ -84,16 +84,14 @@ int Film::number_surfels(const std::shared_ptr<Device>& device) {
 
 void Film::write_surfels(Kernels& kernels, const DeviceScene& scene, int first_row, int rows) {
     kernels.get("film_surfels")
-        .args(hits_, camera_, offsets_, samples_, first_row, rows, slots_, counts_, first_surfel_, scene.triangles, scene.planes,
-              scene.materials, scene.normals, surfels_.data, surfels_.capacity)
+        .args(strip(first_row, rows), pixels(), scene.surfaces(), surfels_.store())
         .run(static_cast<std::size_t>(rows) * static_cast<std::size_t>(camera_.width), "film surfels");
 }
 
 std::vector<float> Film::resolve(Kernels& kernels, const Buffer<float>& values, int first_field) const {
     Buffer<float> image(kernels.device(), pixel_count(camera_) * 3, "resolved layer");
     kernels.get("resolve_film")
-        .args(values, first_field, surfels_.capacity, slots_, counts_, first_surfel_, weights_, totals_, reach_, samples_, camera_.width,
-              camera_.height, image)
+        .args(values, first_field, surfels_.capacity, pixels(), filter(), camera_.width, camera_.height, image)
         .run(pixel_count(camera_), "resolve film");
     return image.read();
 }

@@ -1,6 +1,7 @@
 // The film: visibility samples, the surfels they show, and the way back from surfel values to pixels.
 #pragma once
 
+#include <tuple>
 #include <vector>
 
 #include "device/device_scene.h"
@@ -31,6 +32,15 @@ public:
     bool has_empty() const { return has_empty_; }
 
 private:
+    /// Arguments of kernels: `hits, camera, offsets, sample_count, first_row, row_count`; `slots, counts, first_surfel`; `weights, totals, reach,
+    /// sample_count`.
+    auto strip(int first_row, int rows) const {
+        return std::tuple<const Buffer<Hit>&, const Camera&, const Buffer<glm::vec2>&, int, int, int>(hits_, camera_, offsets_, samples_,
+                                                                                                    first_row, rows);
+    }
+    auto pixels() const { return std::tie(slots_, counts_, first_surfel_); }
+    auto filter() const { return std::tie(weights_, totals_, reach_, samples_); }
+
     void classify(Kernels& kernels, const DeviceScene& scene, int first_row, int rows);
     void write_surfels(Kernels& kernels, const DeviceScene& scene, int first_row, int rows);
     int number_surfels(const std::shared_ptr<Device>& device);

@@ -6,7 +6,7 @@ std::vector<uint> find_sides(Kernels& kernels, const DeviceScene& scene, const G
     const std::size_t words = side_words(static_cast<std::size_t>(scene.shape_count)), tiles = static_cast<std::size_t>(maps.count);
     Buffer<uint> sides(kernels.device(), tiles * words, "sides of shapes seen");
     kernels.get("find_sides")
-        .args(maps.hits, maps.cops, maps.count, maps.n, scene.triangles, scene.planes, scene.materials, sides, static_cast<int>(words))
+        .args(maps.hits, maps.centres(), maps.n, scene.faces(), scene.materials, sides, static_cast<int>(words))
         .run(tiles, "find sides of shapes", 1);
     return sides.read();
 }

@@ -11,7 +11,7 @@ void free_path_density(Kernels& kernels, int first, int count, const CentreSpace
     const int n = set.maps->n;
     const double volume = std::max(space.volume, flattest * std::pow(glm::distance(space.low, space.high), 3));
     kernels.get("free_path_density")
-        .args(set.maps->hits, set.maps->cops, first, count, n, float4(glm::vec3(space.low), 0.0F), float4(glm::vec3(space.high), 0.0F),
+        .args(set.maps->hits, set.maps->tiles(first, count), float4(glm::vec3(space.low), 0.0F), float4(glm::vec3(space.high), 0.0F),
               static_cast<float>(volume), set.radiance)
         .run(static_cast<std::size_t>(count) * static_cast<std::size_t>(n * n), "pencil density");
 }

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <string>
+#include <tuple>
 
 #include "cl/buffer.h"
 #include "options/render_options.h"
@@ -33,6 +34,9 @@ int largest_cell_grid(int pencils);
 
 /// Directions that sample Voronoi cells, CellDirections of kernels/lib/weights_voronoi.cl.
 struct CellTable {
+    /// Arguments `directions, direction_tiles` of kernels.
+    auto list() const { return std::tie(directions, tiles); }
+
     Buffer<float4> directions;
     int tiles = 0;
 };

@@ -7,8 +7,7 @@ SurfaceLinks link_surfels(Kernels& kernels, const Surfels& surfels, const Surfac
     SurfaceLinks links{Buffer<glm::ivec4>(kernels.device(), count, "links of surfels"),
                        Buffer<float4>(kernels.device(), count, "link weights of surfels")};
     kernels.get("link_surfels")
-        .args(surfels.data, surfels.capacity, surfels.count, pencils.data, grid.grid, grid.starts, grid.entries, links.pencils,
-              links.weights)
+        .args(surfels.list(), pencils.data, grid.list(), links.list())
         .run(count, "link surfels");
     return links;
 }

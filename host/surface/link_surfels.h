@@ -1,6 +1,8 @@
 // Launcher of kernels/link_surfels.cl.
 #pragma once
 
+#include <tuple>
+
 #include "device/features.h"
 #include "device/surfels.h"
 #include "surface/pencil_grid.h"
@@ -10,6 +12,9 @@ namespace pencil {
 
 /// The pencils near each surfel, at most four, and their weights, which sum to 1.
 struct SurfaceLinks {
+    /// Arguments `links, factors` of kernels.
+    auto list() const { return std::tie(pencils, weights); }
+
     Buffer<glm::ivec4> pencils;  // -1: none; LINK_LAST_RESORT behind a pencil that stands there only because no other does
     Buffer<float4> weights;
 };

@@ -10,7 +10,7 @@ void place_surface_pencils(Kernels& kernels, const Surfels& surfels, const Chose
     const Buffer<uint> keys(kernels.device(), chosen.keys, "keys of chosen surfels");
     const Buffer<float4> views(kernels.device(), chosen.views, "views of chosen surfels");
     kernels.get("place_surface_pencils")
-        .args(surfels.data, surfels.capacity, ids, keys, views, static_cast<int>(count), spacing, pencils.count, pencils.data)
+        .args(surfels.store(), ids, keys, views, static_cast<int>(count), spacing, pencils.count, pencils.data)
         .run(count, "place surface pencils");
     pencils.count += static_cast<int>(count);
 }

@@ -1,6 +1,8 @@
 // Launcher of kernels/project_film_pencils.cl.
 #pragma once
 
+#include <tuple>
+
 #include "device/features.h"
 #include "surface/film_lattice.h"
 
@@ -8,6 +10,9 @@ namespace pencil {
 
 /// Pencils that stand for one surfel each.
 struct SinglePencils {
+    /// Arguments `single_irradiance, single_at` of kernels.
+    auto list() const { return std::tie(pencils.irradiance, at); }
+
     const SurfacePencils& pencils;
     const Buffer<int>& at;  // by surfel, -1: none
 };

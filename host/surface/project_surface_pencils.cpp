@@ -5,8 +5,7 @@ namespace pencil {
 void project_surface_pencils(Kernels& kernels, const Surfels& surfels, const SurfacePencils& pencils, const DeviceGrid& grid,
                              Buffer<float>& outgoing) {
     kernels.get("project_surface_pencils")
-        .args(surfels.data, surfels.capacity, surfels.count, pencils.data, pencils.irradiance, grid.grid, grid.starts, grid.entries,
-              outgoing)
+        .args(surfels.list(), pencils.data, pencils.irradiance, grid.list(), outgoing)
         .run(static_cast<std::size_t>(surfels.count), "project surface pencils");
 }
 

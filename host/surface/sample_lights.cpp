@@ -5,8 +5,7 @@ namespace pencil {
 void sample_lights(Kernels& kernels, const DeviceScene& scene, const Surfels& surfels, const LightSet& lights, int stride, int draws,
                    uint seed, Buffer<float>& outgoing) {
     kernels.get("sample_lights")
-        .args(surfels.data, surfels.capacity, surfels.count, lights.samples, lights.maps.count, scene.triangles, scene.planes, scene.nodes,
-              scene.leaves, stride, draws, seed, outgoing)
+        .args(surfels.list(), lights.list(), scene.faces(), scene.hierarchy(), stride, draws, seed, outgoing)
         .run(kernels.packets(surfels.count), "direct light to surface pencils");
 }
 

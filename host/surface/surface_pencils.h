@@ -1,6 +1,8 @@
 // Pencils on surfaces in device memory: what each knows of its place, and the irradiance there.
 #pragma once
 
+#include <tuple>
+
 #include "cl/buffer.h"
 #include "shared/surface_pencil.h"
 
@@ -21,6 +23,9 @@ struct SurfacePencils {
     /// Makes room for `more` pencils behind the present ones.
     void reserve(const std::shared_ptr<Device>& device, std::size_t more);
     int texels() const { return n * n; }
+
+    /// Arguments `pencils, first_pencil, pencil_count, n` of kernels.
+    auto range(int first, int number) const { return std::tuple<const Buffer<SurfacePencil>&, int, int, int>(data, first, number, n); }
 
     int count = 0;
     int n = 0;  // width of the hemispherical map, a multiple of 4 [texels]

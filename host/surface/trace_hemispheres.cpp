@@ -9,8 +9,7 @@ void trace_hemispheres(Kernels& kernels, const DeviceScene& scene, const Surface
     const int texels = count * pencils.texels();
     surfels.count = first_surfel + texels;
     kernels.get("trace_hemispheres")
-        .args(pencils.data, first, count, pencils.n, points.seed, sobol_2d(points.turn), scene.nodes, scene.leaves, scene.triangles,
-              scene.planes, scene.materials, scene.normals, surfels.data, surfels.capacity, first_surfel)
+        .args(pencils.range(first, count), points.seed, sobol_2d(points.turn), scene.hierarchy(), scene.surfaces(), surfels.store(), first_surfel)
         .run(kernels.packets(texels), "trace hemispheres");
 }
 

@@ -6,8 +6,7 @@ namespace pencil {
 
 void rasterize_clusters(Kernels& kernels, const DeviceScene& scene, GeometryMaps& maps, int first, int count) {
     kernels.get("rasterize_clusters")
-        .args(scene.triangles, scene.triangle_count, scene.planes, scene.clusters, scene.cluster_count, scene.members, maps.cops, first,
-              count, maps.n, maps.hits)
+        .args(scene.all_triangles(), scene.clusters, scene.cluster_count, scene.members, maps.tiles(first, count), maps.hits)
         .run(8 * static_cast<std::size_t>(count), "rasterize clusters", 1);
     fold_hits(kernels, scene, maps, first, count);
 }

@@ -6,7 +6,7 @@ namespace pencil {
 
 void rasterize_octahedral(Kernels& kernels, const DeviceScene& scene, GeometryMaps& maps, int first, int count) {
     kernels.get("rasterize_octahedral")
-        .args(scene.triangles, scene.triangle_count, scene.planes, maps.cops, first, count, maps.n, maps.hits)
+        .args(scene.all_triangles(), maps.tiles(first, count), maps.hits)
         .run(8 * static_cast<std::size_t>(count), "rasterize octahedral maps", 1);
     fold_hits(kernels, scene, maps, first, count);
 }

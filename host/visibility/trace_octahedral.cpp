@@ -6,7 +6,7 @@ namespace pencil {
 
 void trace_octahedral(Kernels& kernels, const DeviceScene& scene, GeometryMaps& maps, int first, int count) {
     kernels.get("trace_octahedral")
-        .args(scene.nodes, scene.leaves, scene.triangles, scene.planes, maps.cops, first, count, maps.n, maps.hits)
+        .args(scene.hierarchy(), scene.faces(), maps.tiles(first, count), maps.hits)
         .run(kernels.packets(count * maps.n * maps.n), "trace octahedral maps");
     fold_hits(kernels, scene, maps, first, count);
 }

@@ -16,5 +16,6 @@ typedef struct BvhNode {
     int count[2];  // leaf: number of triangles; inner child or empty: 0
     //------------------------------------------------- 80 B
 } BvhNode;
+PENCIL_SHARED_TYPE(BvhNode)
 
 PENCIL_SHARED_END

@@ -17,5 +17,6 @@ typedef struct Camera {
     float far_clip;   // largest t that is seen, INFINITY if none
     //------------------------------------------------- 80 B
 } Camera;
+PENCIL_SHARED_TYPE(Camera)
 
 PENCIL_SHARED_END

@@ -15,5 +15,6 @@ typedef struct Cluster {
     float4 high;
     //------------------------------------------------- 32 B
 } Cluster;
+PENCIL_SHARED_TYPE(Cluster)
 
 PENCIL_SHARED_END

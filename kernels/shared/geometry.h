@@ -21,6 +21,7 @@ typedef struct Triangle {
     int mates;     // triangles of the same plane just before it in the list (bits 0-7) and just after it (bits 8-15), few of each
     //------------------------------------------------- 64 B
 } Triangle;
+PENCIL_SHARED_TYPE(Triangle)
 
 // What a ray through a texel or pixel meets first. "Disparity" is the reciprocal of the ray parameter t of the hit, for a direction of
 // unit L1 norm (octahedral tiles) or for the camera's own direction (film). Disparity is affine in the texel coordinates on a plane.
@@ -28,5 +29,6 @@ typedef struct Hit {
     int triangle;     // index into triangles, -1 if nothing is met
     float disparity;  // 1/t > 0, 0 if nothing is met
 } Hit;
+PENCIL_SHARED_TYPE(Hit)
 
 PENCIL_SHARED_END

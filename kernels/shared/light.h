@@ -13,5 +13,6 @@ typedef struct LightSample {
                       // emitter as a float, or -1
     //------------------------------------------------- 48 B
 } LightSample;
+PENCIL_SHARED_TYPE(LightSample)
 
 PENCIL_SHARED_END

@@ -16,5 +16,6 @@ typedef struct Material {
     int unused[3];
     //------------------------------------------------- 48 B
 } Material;
+PENCIL_SHARED_TYPE(Material)
 
 PENCIL_SHARED_END

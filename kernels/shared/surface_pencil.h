@@ -25,6 +25,7 @@ typedef struct SurfacePencil {
     int unused;
     //------------------------------------------------- 192 B
 } SurfacePencil;
+PENCIL_SHARED_TYPE(SurfacePencil)
 
 // Pencils sorted into the cells of a grid over the scene; a pencil is in every cell that its radius reaches. A cell is a run of blocks of
 // PENCIL_WIDTH entries, fields one after the other; the last block is filled with entries of radius 0.
@@ -36,6 +37,7 @@ typedef struct PencilGrid {
     int unused;
     //------------------------------------------------- 32 B
 } PencilGrid;
+PENCIL_SHARED_TYPE(PencilGrid)
 
 #define ENTRY_X 0  // position [scene units]
 #define ENTRY_Y 1

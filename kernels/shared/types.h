@@ -11,9 +11,24 @@ using float4 = glm::vec4;
 using uint = std::uint32_t;
 }  // namespace pencil
 
+namespace pencil {
+/// Name of a type in OpenCL C; null if it has none.
+template <typename T>
+struct DeviceType {
+    static constexpr const char* name = nullptr;
+};
+}  // namespace pencil
+
+#define PENCIL_DEVICE_TYPE(type, text)              \
+    template <>                                     \
+    struct DeviceType<type> {                       \
+        static constexpr const char* name = text;   \
+    };
+#define PENCIL_SHARED_TYPE(type) PENCIL_DEVICE_TYPE(type, #type)
 #define PENCIL_SHARED_BEGIN namespace pencil {
 #define PENCIL_SHARED_END }
 #else
+#define PENCIL_SHARED_TYPE(type)
 #define PENCIL_SHARED_BEGIN
 #define PENCIL_SHARED_END
 #endif

@@ -167,9 +167,10 @@ TEST(Surface, FurnaceIsExactInEveryGeneration) {
     RenderOptions options = surface_options(Initial::emission);
     options.target_error = std::numeric_limits<double>::min();  // never reached: the passes are counted
     options.width = options.height = 16;
-    int passes = 0;
-    const auto stop_in_pass_16 = [&](const std::string& stage, double) { return stage != "film pencils" || ++passes < 16; };
-    const RenderResult result = render(furnace(0.8F), options, device(), stop_in_pass_16);
+    const Scene scene = furnace(0.8F);
+    RenderSession session(scene, options, device());
+    for (int pass = 0; pass < 15; ++pass) ASSERT_TRUE(session.advance());
+    const RenderResult result = session.finish();
     EXPECT_EQ(result.stats.passes, 15) << "one of the fourth generation, which has fine film pencils";
     expect_uniform(layer(result, ""), 5.0, 1e-3);
 }

@@ -22,8 +22,7 @@ std::vector<ProbingHit> trace_probing_rays(Kernels& kernels, const DeviceScene& 
     Surfels surfels(kernels, count, "surfels of probing rays");
     Buffer<float> distances(kernels.device(), rays.size(), "distances of probing rays");
     kernels.get("trace_probing_rays")
-        .args(origins, directions, own, count, scene.nodes, scene.leaves, scene.triangles, scene.planes, scene.materials, scene.normals,
-              surfels.data, surfels.capacity, distances)
+        .args(origins, directions, own, count, scene.hierarchy(), scene.surfaces(), surfels.store(), distances)
         .run(rays.size(), "trace probing rays");
 
     const std::vector<float> fields = surfels.data.read(), reached = distances.read();
