@@ -6,7 +6,9 @@
 #include "shared/geometry.h"
 
 /// Disparity of a whole plane along `direction`, whether it is what is seen there or not.
-static inline float plane_disparity(float4 plane, float4 cop, float4 direction) { return dot(plane.xyz, direction.xyz) / plane_ahead(plane, cop); }
+static inline float plane_disparity(float4 plane, float4 cop, float4 direction) {
+    return dot(plane.xyz, direction.xyz) / plane_ahead(plane, cop);
+}
 
 /// True if, within a footprint that shows both, surfels on plane a can be hidden by plane b: where b is shown it is the nearer of the two.
 /// Where b is shown although it is the farther (a convex edge, or the far side of a silhouette), nothing of a is there: it would be seen.

@@ -11,7 +11,7 @@
 
 /// Aims one packet at sample i; the weight is the geometry term.
 static inline void aim_at_sample(const SurfelPacket *s, const VisibilityMap *map, global const LightSample *sample, float4 cop, int i,
-                          Aimed *aimed) {
+                                 Aimed *aimed) {
     vfloat vx = s->x - cop.x, vy = s->y - cop.y, vz = s->z - cop.z;
     aimed->weight = sample_weight(s, sample, vx, vy, vz);
     aimed->faces = PACKET_BITS(PACKET_MASK(aimed->weight > 0.0f));
@@ -20,7 +20,7 @@ static inline void aim_at_sample(const SurfelPacket *s, const VisibilityMap *map
 
 /// Irradiance of one packet from sample i, added to rgb.
 static inline void add_light_sample(const SurfelPacket *s, const VisibilityMap *map, float4 emission, float4 cop, int i, const Aimed *aimed,
-                             vfloat *rgb) {
+                                    vfloat *rgb) {
     int lit = packet_visible(s, map, aimed, i, cop);
     if (!lit) return;
     vfloat weight = select((vfloat)(0.0f), aimed->weight, PACKET_FROM_BITS(lit));

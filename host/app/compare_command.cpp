@@ -33,14 +33,10 @@ std::string non_finite_text(const std::string& layer, const std::string& file, c
 std::vector<std::string> all_warnings(const Comparison& comparison, const CompareCommand& command) {
     std::vector<std::string> warnings = comparison.warnings;
     for (const LayerComparison& layer : comparison.layers) {
-        for (const auto& [file, found] : {std::pair(&command.image, &layer.image), std::pair(&command.reference, &layer.reference)}) {
-            if (found->values > 0) {
-                warnings.push_back(non_finite_text(layer.name, file->string(), *found));
-            }
-        }
-        if (layer.metrics.excluded > 0) {
+        for (const auto& [file, found] : {std::pair(&command.image, &layer.image), std::pair(&command.reference, &layer.reference)})
+            if (found->values > 0) warnings.push_back(non_finite_text(layer.name, file->string(), *found));
+        if (layer.metrics.excluded > 0)
             warnings.push_back(fmt::format("layer {}: {} pixels are left out of all averages", layer.name, layer.metrics.excluded));
-        }
     }
     return warnings;
 }
@@ -55,9 +51,7 @@ std::vector<std::string> cells(const Metrics& m) {
 
 void print_row(const std::string& name, const std::vector<std::string>& cells) {
     std::string line = fmt::format("{:<11} ", name);
-    for (const std::string& cell : cells) {
-        line += fmt::format("{:>12}", cell);
-    }
+    for (const std::string& cell : cells) line += fmt::format("{:>12}", cell);
     std::cout << line << "\n";
 }
 
@@ -66,27 +60,18 @@ void print_table(const Comparison& comparison, const CompareCommand& command) {
                              printable(command.image.string()), printable(command.reference.string()),
                              format_extent(comparison.width, comparison.height), format_short(comparison.exposure));
     print_row("layer", {"RMSE", "relMSE", "mean ratio", "PSNR dB", "L*a*b* RMS"});
-    for (const LayerComparison& layer : comparison.layers) {
-        print_row(printable(layer.name), cells(layer.metrics));
-    }
-    for (const LayerComparison& layer : comparison.layers) {
-        if (const std::string reason = undefined_reason(layer.metrics); !reason.empty()) {
+    for (const LayerComparison& layer : comparison.layers) print_row(printable(layer.name), cells(layer.metrics));
+    for (const LayerComparison& layer : comparison.layers)
+        if (const std::string reason = undefined_reason(layer.metrics); !reason.empty())
             std::cout << fmt::format("-: not defined in {}: {}\n", printable(layer.name), reason);
-        }
-    }
     for (const auto& [file, names] :
-         {std::pair(&command.image, &comparison.only_in_image), std::pair(&command.reference, &comparison.only_in_reference)}) {
-        if (!names->empty()) {
-            std::cout << fmt::format("only in {}: {}\n", printable(file->string()), printable(join(*names)));
-        }
-    }
+         {std::pair(&command.image, &comparison.only_in_image), std::pair(&command.reference, &comparison.only_in_reference)})
+        if (!names->empty()) std::cout << fmt::format("only in {}: {}\n", printable(file->string()), printable(join(*names)));
 }
 
 Json non_finite_json(const NonFinite& found) {
     Json json{{"values", found.values}};
-    if (found.values > 0) {
-        json["first"] = {{"channel", found.channel}, {"x", found.x}, {"y", found.y}};
-    }
+    if (found.values > 0) json["first"] = {{"channel", found.channel}, {"x", found.x}, {"y", found.y}};
     return json;
 }
 
@@ -120,9 +105,7 @@ Json comparison_json(const Comparison& comparison, const CompareCommand& command
               {"only_in_image", comparison.only_in_image},
               {"only_in_reference", comparison.only_in_reference},
               {"warnings", warnings}};
-    for (const LayerComparison& layer : comparison.layers) {
-        json["layers"].push_back(layer_json(layer));
-    }
+    for (const LayerComparison& layer : comparison.layers) json["layers"].push_back(layer_json(layer));
     return json;
 }
 
@@ -130,9 +113,8 @@ Json comparison_json(const Comparison& comparison, const CompareCommand& command
 double write_difference(const Image& image, const Image& reference, const CompareCommand& command) {
     const std::vector<std::string> rgb{"R", "G", "B"};
     const NamedLayer x = split_layers(image).front(), r = split_layers(reference).front();
-    if (x.name != "beauty" || r.name != "beauty" || x.channels != rgb || r.channels != rgb) {
+    if (x.name != "beauty" || r.name != "beauty" || x.channels != rgb || r.channels != rgb)
         throw SceneError(command.image.string(), "--diff needs the channels R, G and B in both images");
-    }
     const std::vector<float> differences = relative_difference(x.pixels.data(), r.pixels.data(), x.pixels.size() / 3);
     const double scale = difference_scale(differences);
     const std::vector<float> colours = false_colour(differences, scale);
@@ -144,9 +126,8 @@ void check_difference_file(const CompareCommand& command) {
     image_format(command.difference);
     for (const std::filesystem::path* input : {&command.image, &command.reference}) {
         std::error_code error;
-        if (std::filesystem::equivalent(command.difference, *input, error)) {
+        if (std::filesystem::equivalent(command.difference, *input, error))
             throw OutputError("cannot write " + command.difference.string() + ": it is one of the images");
-        }
     }
     check_writable(command.difference);
 }
@@ -154,9 +135,7 @@ void check_difference_file(const CompareCommand& command) {
 }  // namespace
 
 ExitCode run_compare(const CompareCommand& command) {
-    if (!command.difference.empty()) {
-        check_difference_file(command);
-    }
+    if (!command.difference.empty()) check_difference_file(command);
     const Image image = read_image(command.image), reference = read_image(command.reference);
     const Comparison comparison = compare_images(image, reference, command.image.string(), command.reference.string());
     const std::vector<std::string> warnings = all_warnings(comparison, command);
@@ -164,9 +143,7 @@ ExitCode run_compare(const CompareCommand& command) {
     const double scale = command.difference.empty() ? 0 : write_difference(image, reference, command);
     if (command.json) {
         Json json = comparison_json(comparison, command, warnings);
-        if (scale > 0) {
-            json["difference"] = {{"file", command.difference.string()}, {"scale", scale}};
-        }
+        if (scale > 0) json["difference"] = {{"file", command.difference.string()}, {"scale", scale}};
         std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
         return ExitCode::ok;
     }

@@ -23,9 +23,7 @@ constexpr int standard_side = 256;  // [pixels] of the longer side
 
 /// --resolution, else the reference's, else the scene's shape.
 std::pair<int, int> image_size(const ConvergeCommand& command, const Scene& scene) {
-    if (command.width > 0) {
-        return {command.width, command.height};
-    }
+    if (command.width > 0) return {command.width, command.height};
     if (!command.reference.empty()) {
         const Image reference = read_image(command.reference);
         return {reference.width, reference.height};
@@ -71,9 +69,8 @@ ConvergeOptions converge_options(const ConvergeCommand& command, const Scene& sc
 
 void print_report(const Report& report) {
     std::cout << verdict_text(report);
-    for (const char* file : {"points.csv", "summary.json", "index.html"}) {
+    for (const char* file : {"points.csv", "summary.json", "index.html"})
         std::cout << "wrote    " << printable((report.options.folder / file).string()) << "\n";
-    }
 }
 
 }  // namespace
@@ -95,9 +92,7 @@ ExitCode run_converge(const ConvergeCommand& command) {
         });
     }
     std::for_each(report.warnings.begin(), report.warnings.end(), print_warning);
-    if (!command.quiet && !report.points.empty()) {
-        print_report(report);
-    }
+    if (!command.quiet && !report.points.empty()) print_report(report);
     if (!report.finished) {
         print_error(fmt::format("interrupted after {} runs; the same command goes on from there", report.points.size()));
         return ExitCode::interrupted;

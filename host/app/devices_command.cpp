@@ -3,8 +3,8 @@
 
 #include "app/commands.h"
 #include "app/message.h"
-#include "util/format.h"
 #include "cl/self_test.h"
+#include "util/format.h"
 
 namespace pencil {
 namespace {
@@ -35,20 +35,14 @@ bool test_device(const DeviceInfo& info) {
 
 ExitCode run_devices(const DevicesCommand& command) {
     const std::vector<DeviceInfo> devices = list_devices();
-    if (devices.empty()) {
-        throw DeviceError(no_device_advice());
-    }
+    if (devices.empty()) throw DeviceError(no_device_advice());
     bool passed = true;
     for (const DeviceInfo& device : devices) {
         print_device(device);
         std::cout.flush();
-        if (command.self_test) {
-            passed = test_device(device) && passed;
-        }
+        if (command.self_test) passed = test_device(device) && passed;
     }
-    if (!passed) {
-        throw DeviceError("a device gave wrong answers; do not trust its images");
-    }
+    if (!passed) throw DeviceError("a device gave wrong answers; do not trust its images");
     return ExitCode::ok;
 }
 

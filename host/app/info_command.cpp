@@ -7,9 +7,9 @@
 
 #include "app/commands.h"
 #include "app/message.h"
-#include "util/format.h"
 #include "options/option_values.h"
 #include "scene/formats/load_scene.h"
+#include "util/format.h"
 
 namespace pencil {
 namespace {
@@ -40,9 +40,7 @@ void print_shapes(const Scene& scene) {
             const std::string& material = scene.materials[scene.triangles[shape.first_triangle].material].id;
             if (!material.empty()) std::cout << ", " << printable(material);
         }
-        if (shape.emits) {
-            std::cout << ", emits " << vector_text(shape.radiance);
-        }
+        if (shape.emits) std::cout << ", emits " << vector_text(shape.radiance);
         std::cout << "\n";
     }
 }
@@ -51,9 +49,8 @@ void print_lights(const Scene& scene) {
     const auto area_lights = std::count_if(scene.shapes.begin(), scene.shapes.end(), [](const Shape& shape) { return shape.emits; });
     std::cout << "emitters   " << area_lights + static_cast<std::ptrdiff_t>(scene.point_lights.size()) << ": " << area_lights << " area, "
               << scene.point_lights.size() << " point\n";
-    for (const PointLight& light : scene.point_lights) {
+    for (const PointLight& light : scene.point_lights)
         std::cout << "  point at " << vector_text(light.position) << ", intensity " << vector_text(light.intensity) << "\n";
-    }
 }
 
 void print_materials(const Scene& scene) {
@@ -79,10 +76,12 @@ void print_needs(const Scene& scene) {
     };
     const bool lights = !scene.point_lights.empty();
     const bool area = std::any_of(scene.shapes.begin(), scene.shapes.end(), [](const Shape& shape) { return shape.emits; });
-    const bool smooth = std::any_of(scene.triangles.begin(), scene.triangles.end(), [&](const Triangle3& triangle) {
-        const glm::vec3 normal = triangle.corners[0] < scene.normals.size() ? scene.normals[triangle.corners[0]] : glm::vec3(0.0F);
-        return normal != glm::vec3(0.0F);
-    });
+    const bool smooth = std::any_of(
+        scene.triangles.begin(), scene.triangles.end(),
+        [&](const Triangle3& triangle) {
+            const glm::vec3 normal = triangle.corners[0] < scene.normals.size() ? scene.normals[triangle.corners[0]] : glm::vec3(0.0F);
+            return normal != glm::vec3(0.0F);
+        });
     const bool reflects =
         std::any_of(scene.materials.begin(), scene.materials.end(), [](const SceneMaterial& m) { return m.albedo != glm::vec3(0.0F); });
     const bool indirect = reflects && (lights || area) && !scene.triangles.empty() && (scene.max_depth < 0 || scene.max_depth > 2);
@@ -97,9 +96,7 @@ void print_needs(const Scene& scene) {
 
 ExitCode run_info(const InfoCommand& command) {
     const Scene scene = load_scene(command.scene, {command.defines});
-    for (const std::string& warning : scene.warnings) {
-        print_warning(warning);
-    }
+    for (const std::string& warning : scene.warnings) print_warning(warning);
     std::cout << "scene      " << printable(command.scene.string()) << "\n";
     print_shapes(scene);
     print_lights(scene);

@@ -23,9 +23,7 @@ void handle(int signal) {
 void watch_signals() {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         struct sigaction old {};
-        if (::sigaction(signal, nullptr, &old) != 0 || old.sa_handler == SIG_IGN) {
-            continue;
-        }
+        if (::sigaction(signal, nullptr, &old) != 0 || old.sa_handler == SIG_IGN) continue;
         struct sigaction action {};
         action.sa_handler = handle;
         action.sa_flags = SA_RESTART;

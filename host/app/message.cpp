@@ -7,9 +7,7 @@ namespace pencil {
 namespace {
 
 std::string escape_byte(unsigned char byte) {
-    if (byte == '\n' || byte == '\t') {
-        return byte == '\n' ? "\\n" : "\\t";
-    }
+    if (byte == '\n' || byte == '\t') return byte == '\n' ? "\\n" : "\\t";
     char text[8];
     std::snprintf(text, sizeof(text), "\\x%02x", byte);
     return text;

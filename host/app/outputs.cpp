@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <system_error>
 
-#include "util/format.h"
 #include "image/write_image.h"
 #include "util/error.h"
+#include "util/format.h"
 #include "util/output_file.h"
 
 namespace pencil {
@@ -19,9 +19,7 @@ namespace fs = std::filesystem;
 
 bool same_file(const fs::path& a, const fs::path& b) {
     std::error_code error;
-    if (fs::equivalent(a, b, error)) {
-        return true;
-    }
+    if (fs::equivalent(a, b, error)) return true;
     const fs::path canonical_a = fs::weakly_canonical(fs::absolute(a, error), error);
     const fs::path canonical_b = fs::weakly_canonical(fs::absolute(b, error), error);
     return !error && canonical_a == canonical_b;
@@ -31,19 +29,12 @@ bool same_file(const fs::path& a, const fs::path& b) {
 
 void check_outputs(const std::vector<fs::path>& images, const fs::path& stats, const fs::path& scene) {
     std::vector<fs::path> files = images;
-    for (const fs::path& file : files) {
-        image_format(file);
-    }
-    if (!stats.empty()) {
-        files.push_back(stats);
-    }
+    for (const fs::path& file : files) image_format(file);
+    if (!stats.empty()) files.push_back(stats);
     for (auto file = files.begin(); file != files.end(); ++file) {
-        if (same_file(*file, scene)) {
-            throw OutputError("cannot write " + file->string() + ": it is the scene");
-        }
-        if (std::any_of(files.begin(), file, [&](const fs::path& earlier) { return same_file(earlier, *file); })) {
+        if (same_file(*file, scene)) throw OutputError("cannot write " + file->string() + ": it is the scene");
+        if (std::any_of(files.begin(), file, [&](const fs::path& earlier) { return same_file(earlier, *file); }))
             throw OutputError("cannot write " + file->string() + ": it is named twice");
-        }
         check_writable(*file);
     }
 }

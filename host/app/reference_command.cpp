@@ -58,15 +58,11 @@ void write_images(ReferenceReport& report, const ReferenceCommand& command) {
     for (const Layer& layer : report.result.layers) {
         if (is_wanted(layer, command.aovs)) {
             image.layers.push_back({layer.name, layer.channels, layer.pixels.data()});
-            if (!layer.name.empty()) {
-                report.layers.push_back(layer.name);
-            }
+            if (!layer.name.empty()) report.layers.push_back(layer.name);
         }
     }
     const Metadata metadata = image_metadata(report, command, !command.stats.empty());
-    for (const std::filesystem::path& output : command.outputs) {
-        add_warnings(report, write_image(output, image, metadata));
-    }
+    for (const std::filesystem::path& output : command.outputs) add_warnings(report, write_image(output, image, metadata));
 }
 
 }  // namespace
@@ -90,12 +86,8 @@ ExitCode run_reference(const ReferenceCommand& command) {
     write_images(report, command);
     report.write_seconds = writing.seconds();
     report.total_seconds = total.seconds();
-    if (!command.stats.empty()) {
-        write_stats(command.stats, report, command);
-    }
-    if (!command.quiet) {
-        print_summary(std::cout, report, command.outputs);
-    }
+    if (!command.stats.empty()) write_stats(command.stats, report, command);
+    if (!command.quiet) print_summary(std::cout, report, command.outputs);
     if (report.result.interrupted) {
         print_error("interrupted; the partial result is written");
         return ExitCode::interrupted;

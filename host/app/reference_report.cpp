@@ -9,8 +9,8 @@
 #include "app/option_report.h"
 #include "app/options.h"
 #include "app/run_report.h"
-#include "util/format.h"
 #include "options/option_values.h"
+#include "util/format.h"
 #include "util/output_file.h"
 
 namespace pencil {
@@ -28,9 +28,7 @@ Json all_options_json(const ReferenceReport& report, const ReferenceCommand& com
     Json json = options_json(option_table(used));
     json["resolution"] = {report.options.width, report.options.height};
     json["defines"] = command.defines;
-    for (const std::filesystem::path& output : command.outputs) {
-        json["output"].push_back(output.string());
-    }
+    for (const std::filesystem::path& output : command.outputs) json["output"].push_back(output.string());
     return json;
 }
 
@@ -54,9 +52,7 @@ void print_summary(std::ostream& out, const ReferenceReport& report, const std::
         << " million/s\nrays     " << result.rays << ", " << format_short(per_second(result.rays, result.trace_seconds) / 1e6)
         << " million/s\nmemory   " << format_size(peak_resident_bytes()) << " resident at most\nimage    " << result.width << "x"
         << result.height << ", " << result.spp << " paths per pixel\n";
-    for (const std::filesystem::path& file : written) {
-        out << "wrote    " << printable(file.string()) << "\n";
-    }
+    for (const std::filesystem::path& file : written) out << "wrote    " << printable(file.string()) << "\n";
 }
 
 Metadata image_metadata(const ReferenceReport& report, const ReferenceCommand& command, bool times) {
@@ -71,12 +67,8 @@ Metadata image_metadata(const ReferenceReport& report, const ReferenceCommand& c
     used.options = report.options;
     add_options(metadata, option_table(used));
     metadata["pencil:spp"] = report.result.spp;  // as traced, whatever was asked for
-    for (const auto& [name, value] : command.defines) {
-        metadata["pencil:define:" + name] = value;
-    }
-    if (report.result.interrupted) {
-        metadata["pencil:interrupted"] = 1;
-    }
+    for (const auto& [name, value] : command.defines) metadata["pencil:define:" + name] = value;
+    if (report.result.interrupted) metadata["pencil:interrupted"] = 1;
     if (times) {
         metadata["pencil:wallSeconds"] = report.total_seconds;
         metadata["pencil:traceSeconds"] = report.result.trace_seconds;

@@ -55,11 +55,8 @@ void take_result(RunReport& report, const RenderResult& result, Device& device) 
     report.interrupted = result.interrupted;
     report.launches = device.launch_times();
     report.kernel_build_seconds = device.build_seconds();
-    for (const Layer& layer : result.layers) {
-        if (!layer.name.empty()) {
-            report.layers.push_back(layer.name);
-        }
-    }
+    for (const Layer& layer : result.layers)
+        if (!layer.name.empty()) report.layers.push_back(layer.name);
 }
 
 void write_images(RunReport& report, const RenderResult& result, const RenderCommand& command) {
@@ -68,9 +65,7 @@ void write_images(RunReport& report, const RenderResult& result, const RenderCom
         return ImageLayer{layer.name, layer.channels, layer.pixels.data()};
     });
     const Metadata metadata = image_metadata(report, command, !command.stats.empty());
-    for (const std::filesystem::path& output : command.outputs) {
-        add_warnings(report, write_image(output, image, metadata));
-    }
+    for (const std::filesystem::path& output : command.outputs) add_warnings(report, write_image(output, image, metadata));
 }
 
 }  // namespace
@@ -104,15 +99,9 @@ ExitCode run_render(const RenderCommand& command) {
     timed(report, "write images", [&] { write_images(report, result, command); });
 
     report.total_wall_seconds = total.seconds();
-    if (!command.stats.empty()) {
-        write_stats(command.stats, report, command);
-    }
-    if (command.explain) {
-        print_explanation(std::cout, report);
-    }
-    if (!command.quiet) {
-        print_summary(std::cout, report, command.outputs);
-    }
+    if (!command.stats.empty()) write_stats(command.stats, report, command);
+    if (command.explain) print_explanation(std::cout, report);
+    if (!command.quiet) print_summary(std::cout, report, command.outputs);
     if (report.interrupted) {
         print_error("interrupted; the partial result is written");
         return ExitCode::interrupted;

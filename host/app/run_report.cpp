@@ -10,9 +10,9 @@
 
 #include "app/message.h"
 #include "app/option_report.h"
-#include "util/format.h"
 #include "options/option_values.h"
 #include "options/render_option_table.h"
+#include "util/format.h"
 
 namespace pencil {
 namespace {
@@ -22,11 +22,10 @@ constexpr int name_width = 28, number_width = 12;  // [characters]
 void print_stage(std::ostream& out, const StageTime& stage) {
     out << std::left << std::setw(name_width) << printable(stage.name) << std::right << std::fixed << std::setprecision(3)
         << std::setw(number_width) << stage.wall_seconds;
-    if (stage.launches > 0) {
+    if (stage.launches > 0)
         out << std::setw(number_width) << stage.device_seconds << std::setw(number_width) << stage.launches;
-    } else {
+    else
         out << std::setw(number_width) << "-" << std::setw(number_width) << "-";
-    }
     out << "\n";
 }
 
@@ -66,20 +65,14 @@ void print_summary(std::ostream& out, const RunReport& report, const std::vector
     out << "\ndevice   " << device_line(report.device) << "\nmemory   " << format_size(peak_resident_bytes()) << " resident at most, "
         << format_size(report.stats.device_peak_bytes) << " in device buffers\nimage    " << report.width << "x" << report.height << ", "
         << report.stats.triangles << " triangles, " << report.stats.film_surfels << " film surfels";
-    if (report.stats.blind_surfels > 0) {
-        out << ", " << report.stats.blind_surfels << " of them seen by no pencil of the first set";
-    }
+    if (report.stats.blind_surfels > 0) out << ", " << report.stats.blind_surfels << " of them seen by no pencil of the first set";
     out << "\nbounces  " << bounce_line(report.stats) << "\n";
-    for (const std::filesystem::path& file : written) {
-        out << "wrote    " << printable(file.string()) << "\n";
-    }
+    for (const std::filesystem::path& file : written) out << "wrote    " << printable(file.string()) << "\n";
 }
 
 void print_explanation(std::ostream& out, const RunReport& report) {
     out << "device: " << device_line(report.device) << "\n";
-    for (const std::string& sentence : report.stats.explain) {
-        out << printable(sentence) << "\n";
-    }
+    for (const std::string& sentence : report.stats.explain) out << printable(sentence) << "\n";
     out << "layers written: beauty" << (report.layers.empty() ? "" : ", ") << join(report.layers) << "\n";
 }
 
@@ -95,12 +88,8 @@ Metadata image_metadata(const RunReport& report, const RenderCommand& command, b
     };
     RenderOptions options = report.options;
     add_options(metadata, render_option_table(options));
-    for (const auto& [name, value] : command.defines) {
-        metadata["pencil:define:" + name] = value;
-    }
-    if (report.interrupted) {
-        metadata["pencil:interrupted"] = 1;
-    }
+    for (const auto& [name, value] : command.defines) metadata["pencil:define:" + name] = value;
+    if (report.interrupted) metadata["pencil:interrupted"] = 1;
     if (times) {
         metadata["pencil:wallSeconds"] = report.total_wall_seconds;
         metadata["pencil:kernelBuildSeconds"] = report.kernel_build_seconds;

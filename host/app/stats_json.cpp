@@ -20,9 +20,7 @@ Json all_options_json(const RunReport& report, const RenderCommand& command) {
     Json json = options_json(render_option_table(options));
     json["resolution"] = {report.width, report.height};
     json["defines"] = command.defines;
-    for (const std::filesystem::path& output : command.outputs) {
-        json["output"].push_back(output.string());
-    }
+    for (const std::filesystem::path& output : command.outputs) json["output"].push_back(output.string());
     return json;
 }
 
@@ -41,9 +39,8 @@ Json device_json(const RunReport& report) {
 
 Json launches_json(const std::map<std::string, LaunchTimes>& by_description) {
     Json launches = Json::object();
-    for (const auto& [description, times] : by_description) {
+    for (const auto& [description, times] : by_description)
         launches[description] = {{"launches", times.launches}, {"device_seconds", times.device_seconds}};
-    }
     return launches;
 }
 

@@ -8,7 +8,9 @@ namespace pencil {
 
 namespace {
 
-std::string spelled(const std::string& type, bool buffer) { return buffer ? fmt::format("a buffer of {}", type) : fmt::format("a {}", type); }
+std::string spelled(const std::string& type, bool buffer) {
+    return buffer ? fmt::format("a buffer of {}", type) : fmt::format("a {}", type);
+}
 
 /// "Triangle" of "Triangle*".
 std::string element(std::string type) {

@@ -32,9 +32,7 @@ bool is_rgb(const std::vector<std::string>& channels) { return channels == std::
 NonFinite first_non_finite(const std::vector<float>& pixels, const std::vector<std::string>& channels, int width) {
     NonFinite found;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
-        if (std::isfinite(pixels[i]) || found.values++ > 0) {
-            continue;
-        }
+        if (std::isfinite(pixels[i]) || found.values++ > 0) continue;
         const std::size_t pixel = i / channels.size();
         found.channel = channels[i % channels.size()];
         found.x = static_cast<int>(pixel % static_cast<std::size_t>(width));
@@ -62,12 +60,8 @@ std::string value_or(const Metadata& metadata, const std::string& key, const std
 std::vector<std::string> scene_warnings(const Metadata& image, const Metadata& reference) {
     for (const char* key : {"pencil:sceneFingerprint", "pencil:scene"}) {
         const auto a = image.find(key), b = reference.find(key);
-        if (a == image.end() || b == reference.end()) {
-            continue;
-        }
-        if (a->second == b->second) {
-            return {};
-        }
+        if (a == image.end() || b == reference.end()) continue;
+        if (a->second == b->second) return {};
         return {fmt::format("the images show different scenes: {} and {} ({} is {} and {})", value_or(image, "pencil:scene", "?"),
                             value_or(reference, "pencil:scene", "?"), key, a->second, b->second)};
     }
@@ -84,33 +78,24 @@ Comparison compare_images(const Image& image, const Image& reference, const std:
     }
     const std::vector<NamedLayer> ours = split_layers(image), theirs = split_layers(reference);
     Comparison result{image.width, image.height, 1, {}, {}, {}, scene_warnings(image.metadata, reference.metadata)};
-    for (const auto& [name, picture] : {std::pair(&image_name, &image), std::pair(&reference_name, &reference)}) {
-        if (picture->metadata.count("pencil:interrupted") > 0) {
+    for (const auto& [name, picture] : {std::pair(&image_name, &image), std::pair(&reference_name, &reference)})
+        if (picture->metadata.count("pencil:interrupted") > 0)
             result.warnings.push_back(fmt::format("{} is the unfinished image of an interrupted render", *name));
-        }
-    }
     const NamedLayer* beauty = find_layer(theirs, "beauty");
-    if (beauty != nullptr && is_rgb(beauty->channels)) {
-        result.exposure = exposure_of(beauty->pixels.data(), beauty->pixels.size() / 3);
-    }
+    if (beauty != nullptr && is_rgb(beauty->channels)) result.exposure = exposure_of(beauty->pixels.data(), beauty->pixels.size() / 3);
     for (const NamedLayer& layer : ours) {
         const NamedLayer* other = find_layer(theirs, layer.name);
         const std::vector<std::string> channels = other == nullptr ? std::vector<std::string>{} : common_channels(layer, *other);
-        if (channels.empty()) {
+        if (channels.empty())
             result.only_in_image.push_back(layer.name);
-        } else {
+        else
             result.layers.push_back(compare_layer(layer, *other, channels, image.width, result.exposure));
-        }
     }
     for (const NamedLayer& layer : theirs) {
         const NamedLayer* other = find_layer(ours, layer.name);
-        if (other == nullptr || common_channels(*other, layer).empty()) {
-            result.only_in_reference.push_back(layer.name);
-        }
+        if (other == nullptr || common_channels(*other, layer).empty()) result.only_in_reference.push_back(layer.name);
     }
-    if (result.layers.empty()) {
-        throw SceneError(image_name, fmt::format("has no layer in common with the reference {}", reference_name));
-    }
+    if (result.layers.empty()) throw SceneError(image_name, fmt::format("has no layer in common with the reference {}", reference_name));
     return result;
 }
 

@@ -27,9 +27,8 @@ Colour colour_at(double position) {
     const std::size_t stop = std::min(static_cast<std::size_t>(along), diverging.size() - 2);
     const float fraction = static_cast<float>(along - static_cast<double>(stop));
     Colour colour;
-    for (std::size_t c = 0; c < colour.size(); ++c) {
+    for (std::size_t c = 0; c < colour.size(); ++c)
         colour[c] = diverging[stop][c] + fraction * (diverging[stop + 1][c] - diverging[stop][c]);
-    }
     return colour;
 }
 
@@ -55,31 +54,25 @@ std::vector<float> relative_difference(const float* image, const float* referenc
     std::vector<float> differences(pixels);
     for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
         const double x = pixel_luminance(image, pixel), r = pixel_luminance(reference, pixel);
-        if (!std::isfinite(x) || !std::isfinite(r)) {
+        if (!std::isfinite(x) || !std::isfinite(r))
             differences[pixel] = std::numeric_limits<float>::quiet_NaN();
-        } else if (x != r) {
+        else if (x != r)
             differences[pixel] = static_cast<float>(std::copysign(std::sqrt(relative_square(x, r, mean)), x - r));
-        }
     }
     return differences;
 }
 
 double difference_scale(std::vector<float> differences) {
     differences.erase(std::remove_if(differences.begin(), differences.end(), [](float d) { return std::isnan(d); }), differences.end());
-    if (differences.empty()) {
-        return 1;
-    }
+    if (differences.empty()) return 1;
     const auto magnitude = [](float a, float b) { return std::abs(a) < std::abs(b); };
     const auto last = std::min(differences.size() - 1, static_cast<std::size_t>(covered_share * static_cast<double>(differences.size())));
     std::nth_element(differences.begin(), differences.begin() + static_cast<std::ptrdiff_t>(last), differences.end(), magnitude);
     const double covered = std::abs(differences[last]);
     const double finest = 1e-6;  // equal images have no scale of their own
     for (double power = finest; power < 1; power *= 10) {
-        for (const double step : {1.0, 2.0, 5.0}) {
-            if (covered <= step * power) {
-                return step * power;
-            }
-        }
+        for (const double step : {1.0, 2.0, 5.0})
+            if (covered <= step * power) return step * power;
     }
     return 1;
 }

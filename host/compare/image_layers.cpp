@@ -26,9 +26,7 @@ std::vector<Group> group_channels(const std::vector<std::string>& names) {
         const std::size_t dot = names[i].rfind('.');
         const std::string name = dot == std::string::npos ? "beauty" : names[i].substr(0, dot);
         auto group = std::find_if(groups.begin(), groups.end(), [&](const Group& g) { return g.name == name; });
-        if (group == groups.end()) {
-            group = groups.insert(name == "beauty" ? groups.begin() : groups.end(), Group{name, {}, {}});
-        }
+        if (group == groups.end()) group = groups.insert(name == "beauty" ? groups.begin() : groups.end(), Group{name, {}, {}});
         group->channels.push_back(dot == std::string::npos ? names[i] : names[i].substr(dot + 1));
         group->indices.push_back(i);
     }
@@ -38,11 +36,8 @@ std::vector<Group> group_channels(const std::vector<std::string>& names) {
 /// Positions within the group in the order wanted, without alpha.
 std::vector<std::size_t> ordered(const Group& group) {
     std::vector<std::size_t> order;
-    for (std::size_t i = 0; i < group.channels.size(); ++i) {
-        if (group.channels[i] != "A" || group.channels.size() == 1) {
-            order.push_back(i);
-        }
-    }
+    for (std::size_t i = 0; i < group.channels.size(); ++i)
+        if (group.channels[i] != "A" || group.channels.size() == 1) order.push_back(i);
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return rank(group.channels[a]) < rank(group.channels[b]); });
     return order;
@@ -52,9 +47,7 @@ NamedLayer extract(const Image& image, const Group& group) {
     NamedLayer layer;
     layer.name = group.name;
     const std::vector<std::size_t> order = ordered(group);
-    for (const std::size_t position : order) {
-        layer.channels.push_back(group.channels[position]);
-    }
+    for (const std::size_t position : order) layer.channels.push_back(group.channels[position]);
     const std::size_t stride = image.channels.size();
     layer.pixels.reserve(image.pixels.size() / stride * order.size());
     for (std::size_t pixel = 0; pixel < image.pixels.size(); pixel += stride) {
@@ -76,9 +69,7 @@ std::vector<NamedLayer> split_layers(const Image& image) {
 }
 
 std::vector<float> select_channels(const NamedLayer& layer, const std::vector<std::string>& wanted) {
-    if (wanted == layer.channels) {
-        return layer.pixels;
-    }
+    if (wanted == layer.channels) return layer.pixels;
     std::vector<std::size_t> positions;
     for (const std::string& channel : wanted) {
         positions.push_back(
@@ -86,11 +77,8 @@ std::vector<float> select_channels(const NamedLayer& layer, const std::vector<st
     }
     std::vector<float> pixels;
     pixels.reserve(layer.pixels.size() / layer.channels.size() * wanted.size());
-    for (std::size_t pixel = 0; pixel < layer.pixels.size(); pixel += layer.channels.size()) {
-        for (const std::size_t position : positions) {
-            pixels.push_back(layer.pixels[pixel + position]);
-        }
-    }
+    for (std::size_t pixel = 0; pixel < layer.pixels.size(); pixel += layer.channels.size())
+        for (const std::size_t position : positions) pixels.push_back(layer.pixels[pixel + position]);
     return pixels;
 }
 

@@ -33,13 +33,9 @@ double exposure_of(const float* rgb, std::size_t pixels) {
     std::vector<double> lit;
     for (std::size_t i = 0; i < pixels; ++i) {
         const double y = luminance({rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]});
-        if (std::isfinite(y) && y > 0) {
-            lit.push_back(y);
-        }
+        if (std::isfinite(y) && y > 0) lit.push_back(y);
     }
-    if (lit.empty()) {
-        return 1;
-    }
+    if (lit.empty()) return 1;
     const auto middle = lit.begin() + static_cast<std::ptrdiff_t>(lit.size() / 2);
     std::nth_element(lit.begin(), middle, lit.end());
     return middle_grey / *middle;

@@ -79,9 +79,7 @@ public:
           progression_(progress, plan_, options.reference.empty() ? truth_seconds(options) : 0) {
         RunLog log = finished_runs(options);
         points_ = std::move(log.points);
-        if (!log.warning.empty()) {
-            warnings_.push_back(log.warning);
-        }
+        if (!log.warning.empty()) warnings_.push_back(log.warning);
     }
 
     Report run() {
@@ -138,9 +136,7 @@ private:
                         [&](const std::string&, double) { return progression_.update("warm-up", 0, 0, points_); });
                 warm = true;
             }
-            if (!progression_.update(stage, 0, 0, points_) || !finish(*task, progress)) {
-                return false;
-            }
+            if (!progression_.update(stage, 0, 0, points_) || !finish(*task, progress)) return false;
             progression_.run_done(std::max(0.0, before - plan_.expected_seconds(points_)));
         }
         return true;
@@ -150,9 +146,7 @@ private:
     bool finish(const Task& task, const Progress& progress) {
         try {
             const std::optional<RunPoint> point = run_task(task, scene_, options_, truth_, device_, progress);
-            if (!point) {
-                return false;
-            }
+            if (!point) return false;
             append_run(runs_file(options_), *point);
             points_.push_back(*point);
         } catch (const MemoryError& error) {
@@ -164,11 +158,8 @@ private:
 
     /// Time of the same run with seed 0, or of the step before.
     double expected(const Task& task) const {
-        for (int budget = task.budget; budget >= 0; --budget) {
-            if (const RunPoint* point = find_point(points_, task.method, budget, 0)) {
-                return point->seconds;
-            }
-        }
+        for (int budget = task.budget; budget >= 0; --budget)
+            if (const RunPoint* point = find_point(points_, task.method, budget, 0)) return point->seconds;
         return 0;
     }
 
@@ -189,27 +180,20 @@ void write_text(const fs::path& file, const std::string& text) { write_file(file
 void prepare_folder(const Scene& scene, const ConvergeOptions& options, const DeviceInfo& device) {
     std::error_code error;
     fs::create_directories(options.folder / "images", error);
-    if (error) {
-        throw OutputError(fmt::format("cannot write to {}: {}", options.folder.string(), error.message()));
-    }
-    for (const fs::path& file : {runs_file(options), table_file(options), options.folder / "index.html", options.folder / "images/a.exr"}) {
+    if (error) throw OutputError(fmt::format("cannot write to {}: {}", options.folder.string(), error.message()));
+    for (const fs::path& file : {runs_file(options), table_file(options), options.folder / "index.html", options.folder / "images/a.exr"})
         check_writable(file);
-    }
     check_identity(options.folder, identity_of(scene, options, device), finished_runs(options).points);
 }
 
 Report converge(const Scene& scene, const ConvergeOptions& options, const std::shared_ptr<Device>& device, const Progress& progress) {
     Report report = Experiment(scene, options, device, progress).run();
-    if (report.points.empty()) {
-        return report;  // interrupted before the first run was finished
-    }
+    if (report.points.empty()) return report;  // interrupted before the first run was finished
     write_text(table_file(options), points_csv(report.points));
     write_text(options.folder / "summary.json", summary_json(report));
     const std::string missing = make_plots(options.folder);
     write_text(options.folder / "index.html", page_html(report, missing));
-    if (!missing.empty()) {
-        report.warnings.push_back(missing);
-    }
+    if (!missing.empty()) report.warnings.push_back(missing);
     return report;
 }
 

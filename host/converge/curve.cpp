@@ -15,9 +15,7 @@ constexpr double same_time = 1.05;                      // ratio of times that a
 constexpr double precision = 1e-3;                      // relative, of a measured error: residuals below it mean nothing
 
 double interpolate(double x, double x0, double y0, double x1, double y1) {
-    if (x0 == x1) {
-        return y1;
-    }
+    if (x0 == x1) return y1;
     const double fraction = (std::log(x) - std::log(x0)) / (std::log(x1) - std::log(x0));
     return std::exp(std::log(y0) + fraction * (std::log(y1) - std::log(y0)));
 }
@@ -37,11 +35,10 @@ SquareFit fit_squares(const Curve& curve, double exponent, bool with_floor) {
     const double determinant = aa * bb - ab * ab;
     if (with_floor && determinant > 0) {
         const double floor2 = (a1 * bb - b1 * ab) / determinant, coefficient2 = (b1 * aa - a1 * ab) / determinant;
-        if (floor2 > 0 && coefficient2 > 0) {
+        if (floor2 > 0 && coefficient2 > 0)
             fit = {floor2, coefficient2, 0};
-        } else if (coefficient2 <= 0) {
+        else if (coefficient2 <= 0)
             fit = {a1 / aa, 0, 0};
-        }
     }
     for (const CurvePoint& point : curve) {
         const double model = fit.floor2 + fit.coefficient2 * std::pow(point.seconds, -2 * exponent);
@@ -56,9 +53,7 @@ std::pair<double, SquareFit> best_fit(const Curve& curve, double from, bool with
     std::pair<double, SquareFit> best{from, fit_squares(curve, from, with_floor)};
     for (double exponent = from + exponent_step; exponent <= steepest; exponent += exponent_step) {
         const SquareFit fit = fit_squares(curve, exponent, with_floor);
-        if (fit.residual < best.second.residual) {
-            best = {exponent, fit};
-        }
+        if (fit.residual < best.second.residual) best = {exponent, fit};
     }
     return best;
 }
@@ -75,12 +70,9 @@ Curve make_curve(std::vector<CurvePoint> points) {
 }
 
 Reading error_at(const Curve& curve, double seconds) {
-    if (curve.empty() || seconds > curve.back().seconds * same_time) {
+    if (curve.empty() || seconds > curve.back().seconds * same_time)
         return {Reading::Kind::not_reached, curve.empty() ? 0 : curve.back().seconds};
-    }
-    if (seconds * same_time < curve.front().seconds) {
-        return {Reading::Kind::before_first, curve.front().seconds};
-    }
+    if (seconds * same_time < curve.front().seconds) return {Reading::Kind::before_first, curve.front().seconds};
     seconds = std::clamp(seconds, curve.front().seconds, curve.back().seconds);
     const auto after = std::find_if(curve.begin(), curve.end(), [&](const CurvePoint& point) { return point.seconds >= seconds; });
     const auto before = after == curve.begin() ? after : after - 1;
@@ -89,12 +81,9 @@ Reading error_at(const Curve& curve, double seconds) {
 
 Reading time_to(const Curve& curve, double error) {
     const auto reached = std::find_if(curve.begin(), curve.end(), [&](const CurvePoint& point) { return point.error <= error; });
-    if (reached == curve.end()) {
-        return {Reading::Kind::not_reached, curve.empty() ? 0 : curve.back().seconds};
-    }
-    if (reached == curve.begin()) {
+    if (reached == curve.end()) return {Reading::Kind::not_reached, curve.empty() ? 0 : curve.back().seconds};
+    if (reached == curve.begin())
         return {reached->error == error ? Reading::Kind::measured : Reading::Kind::before_first, reached->seconds};
-    }
     const auto before = reached - 1;
     return {Reading::Kind::measured, interpolate(error, before->error, before->seconds, reached->error, reached->seconds)};
 }
@@ -107,18 +96,14 @@ std::optional<PowerLaw> fit_power_law(const Curve& curve) {
         x += log_time, y += log_error, xx += log_time * log_time, xy += log_time * log_error;
     }
     const double determinant = n * xx - x * x;
-    if (curve.size() < 2 || curve.front().seconds == curve.back().seconds || determinant <= 0) {
-        return {};
-    }
+    if (curve.size() < 2 || curve.front().seconds == curve.back().seconds || determinant <= 0) return {};
     const double slope = (n * xy - x * y) / determinant;
     return PowerLaw{slope, std::exp((y - slope * x) / n)};
 }
 
 std::optional<FloorFit> fit_floor(const Curve& curve) {
     const std::optional<PowerLaw> law = fit_power_law(curve);
-    if (curve.size() < 4 || !law) {
-        return {};
-    }
+    if (curve.size() < 4 || !law) return {};
     const double slowest = 0.05;  // slower decay next to a floor cannot be told from the floor
     const auto [exponent, fit] = best_fit(curve, slowest, true);
     FloorFit result{std::sqrt(fit.floor2), std::sqrt(fit.coefficient2), exponent, false};

@@ -35,9 +35,8 @@ bool is_known(const std::string& method) {
 void check_identity(const std::filesystem::path& folder, const Identity& identity, const std::vector<RunPoint>& points) {
     const Json old = read_identity(folder / file_name);
     if (!old.is_object()) {
-        if (!points.empty()) {
+        if (!points.empty())
             throw UsageError(fmt::format("{} holds runs, but no readable run.json that says of what{}", folder.string(), advice));
-        }
         return;
     }
     for (const auto& [key, value] : identity) {

@@ -72,9 +72,7 @@ std::vector<std::string> method_names() {
 const MeasuredMethod& find_method(const std::string& name) {
     const std::vector<MeasuredMethod>& methods = all_methods();
     const auto found = std::find_if(methods.begin(), methods.end(), [&](const MeasuredMethod& method) { return method.name == name; });
-    if (found == methods.end()) {
-        throw std::invalid_argument(fmt::format("unknown method {}", name));
-    }
+    if (found == methods.end()) throw std::invalid_argument(fmt::format("unknown method {}", name));
     return *found;
 }
 

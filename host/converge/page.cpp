@@ -73,13 +73,9 @@ void add_methods(PageData& page, const Report& report) {
         method["summary"] = report.methods[i].summary;
         method["options"] = report.methods[i].budgets.back().options;
         methods.emplace_back(method);
-        if (i > 0) {
-            stage_methods.emplace_back(method);
-        }
+        if (i > 0) stage_methods.emplace_back(method);
     }
-    for (const ErrorMetric& metric : error_metrics()) {
-        metrics.emplace_back(metric.title);
-    }
+    for (const ErrorMetric& metric : error_metrics()) metrics.emplace_back(metric.title);
     page["methods"] = methods;
     page["stage_methods"] = stage_methods;
     page["metrics"] = metrics;
@@ -97,9 +93,7 @@ void add_measurements(PageData& page, const Report& report, bool with_plots) {
     page["picture_rows"] = pictures.rows;
     page["full_colour"] = percent_text(pictures.full_colour);
     PageList small_plots;
-    for (std::size_t i = 1; with_plots && i < error_metrics().size(); ++i) {
-        small_plots.emplace_back(plot(report, error_metrics()[i]));
-    }
+    for (std::size_t i = 1; with_plots && i < error_metrics().size(); ++i) small_plots.emplace_back(plot(report, error_metrics()[i]));
     page["large_plot"] = with_plots ? PageData(plot(report, error_metrics().front())) : PageData(false);
     page["small_plots"] = small_plots;
 }
@@ -116,14 +110,10 @@ std::string page_html(const Report& report, const std::string& plots_missing) {
     add_run(page, report);
     add_truth(page, report.truth);
     add_methods(page, report);
-    if (!report.methods.empty()) {
-        add_measurements(page, report, plots_missing.empty());
-    }
+    if (!report.methods.empty()) add_measurements(page, report, plots_missing.empty());
     kainjow::mustache::mustache html(page_template);
     const std::string text = html.render(page);
-    if (!html.is_valid()) {
-        throw std::logic_error("page.html.mustache: " + html.error_message());
-    }
+    if (!html.is_valid()) throw std::logic_error("page.html.mustache: " + html.error_message());
     return text;
 }
 

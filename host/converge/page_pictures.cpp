@@ -25,13 +25,9 @@ struct Shown {
 /// The image of the first seed; nothing if its file is gone.
 std::vector<Shown> load(const Report& report, std::size_t method, const BudgetSummary& budget) {
     const std::filesystem::path file = image_file(report.options, report.methods[method].name, budget.budget, budget.seeds.front());
-    if (!std::filesystem::exists(file)) {
-        return {};
-    }
+    if (!std::filesystem::exists(file)) return {};
     Shown shown{method, &budget, split_layers(read_image(file)).front().pixels, {}};
-    if (shown.rgb.size() != report.truth.rgb.size()) {
-        return {};
-    }
+    if (shown.rgb.size() != report.truth.rgb.size()) return {};
     shown.differences = relative_difference(shown.rgb.data(), report.truth.rgb.data(), shown.rgb.size() / 3);
     return {std::move(shown)};
 }
@@ -56,9 +52,7 @@ PageObject pair_of(const Report& report, const Shown& shown, double scale) {
 PageObject row(const Report& report, const std::string& title, const std::vector<Shown>& all, double scale) {
     const Truth& truth = report.truth;
     PageList pairs;
-    for (const Shown& shown : all) {
-        pairs.emplace_back(pair_of(report, shown, scale));
-    }
+    for (const Shown& shown : all) pairs.emplace_back(pair_of(report, shown, scale));
     return {{"title", title}, {"reference_image", picture_uri(truth.rgb, truth.width, truth.height, truth.exposure)}, {"pairs", pairs}};
 }
 
@@ -74,9 +68,7 @@ PagePictures pictures_of(const Report& report) {
         }
     }
     double scale = 0;
-    for (const Shown& shown : late) {
-        scale = std::max(scale, difference_scale(shown.differences));
-    }
+    for (const Shown& shown : late) scale = std::max(scale, difference_scale(shown.differences));
     scale = scale > 0 ? scale : 1;
     return {{row(report, "At about " + seconds_text(early_seconds), early, scale), row(report, "At the longest time", late, scale)}, scale};
 }

@@ -20,14 +20,11 @@ PageList objections(const Report& report, const Verdict& verdict) {
     for (std::size_t i = 1; i < error_metrics().size(); ++i) {
         const ErrorMetric& metric = error_metrics()[i];
         const Verdict other = judge(curves_of(report, metric), verdict.seconds);
-        if (other.ahead < 0) {
-            continue;
-        }
+        if (other.ahead < 0) continue;
         const auto winner = static_cast<std::size_t>(other.ahead), ours = static_cast<std::size_t>(verdict.ahead);
         const double lead = other.errors[ours].value / other.errors[winner].value;
-        if (lead >= level) {
+        if (lead >= level)
             list.emplace_back(PageObject{{"metric", metric.title}, {"other", report.methods[winner].name}, {"lead", round_text(lead)}});
-        }
     }
     return list;
 }
@@ -55,12 +52,8 @@ PageData card(const Report& report, const Verdict& verdict) {
 
 PageData error_cell(const ErrorMetric& metric, const Verdict& verdict, std::size_t index) {
     const Reading& reading = verdict.errors[index];
-    if (reading.kind == Reading::Kind::before_first) {
-        return cell("no image yet", "first after " + seconds_text(reading.value), "none");
-    }
-    if (reading.kind == Reading::Kind::not_reached) {
-        return cell("not measured", "ends at " + seconds_text(reading.value), "none");
-    }
+    if (reading.kind == Reading::Kind::before_first) return cell("no image yet", "first after " + seconds_text(reading.value), "none");
+    if (reading.kind == Reading::Kind::not_reached) return cell("not measured", "ends at " + seconds_text(reading.value), "none");
     const Reading& base = verdict.errors.front();
     const bool comparable = index > 0 && base.kind == Reading::Kind::measured;
     return cell(value_text(metric, reading.value), comparable ? factor_text(reading.value / base.value) + " the path tracer's" : "",
@@ -69,12 +62,8 @@ PageData error_cell(const ErrorMetric& metric, const Verdict& verdict, std::size
 
 PageData time_cell(const TimesToError& row, std::size_t index, bool best) {
     const Reading& time = row.times[index];
-    if (time.kind == Reading::Kind::not_reached) {
-        return cell("not reached", "within " + seconds_text(time.value), "none");
-    }
-    if (time.kind == Reading::Kind::before_first) {
-        return cell("≤ " + seconds_text(time.value), "below it from the first point on");
-    }
+    if (time.kind == Reading::Kind::not_reached) return cell("not reached", "within " + seconds_text(time.value), "none");
+    if (time.kind == Reading::Kind::before_first) return cell("≤ " + seconds_text(time.value), "below it from the first point on");
     const double speedup = row.speedups[index];
     const std::string note = index == 0 || speedup == 0 ? ""
                              : speedup >= 1             ? factor_text(speedup) + " faster than path tracing"
@@ -86,31 +75,22 @@ PageData time_cell(const TimesToError& row, std::size_t index, bool best) {
 int fastest(const TimesToError& row) {
     int best = -1;
     for (std::size_t i = 0; i < row.times.size(); ++i) {
-        if (row.times[i].kind == Reading::Kind::before_first) {
-            return -1;
-        }
+        if (row.times[i].kind == Reading::Kind::before_first) return -1;
         const bool measured = row.times[i].kind == Reading::Kind::measured;
-        if (measured && (best < 0 || row.times[i].value < row.times[static_cast<std::size_t>(best)].value)) {
-            best = static_cast<int>(i);
-        }
+        if (measured && (best < 0 || row.times[i].value < row.times[static_cast<std::size_t>(best)].value)) best = static_cast<int>(i);
     }
     return best;
 }
 
 std::string floor_text(const ErrorMetric& metric, const Curve& curve) {
     const std::optional<FloorFit> floor = fit_floor(curve);
-    if (!floor) {
-        return "too few points";
-    }
+    if (!floor) return "too few points";
     return floor->visible ? value_text(metric, floor->floor) : "none visible";
 }
 
 double stage_seconds(const BudgetSummary& budget, const std::string& stage) {
-    for (const auto& [name, seconds] : budget.stages) {
-        if (name == stage) {
-            return seconds;
-        }
-    }
+    for (const auto& [name, seconds] : budget.stages)
+        if (name == stage) return seconds;
     return -1;
 }
 
@@ -118,11 +98,8 @@ double stage_seconds(const BudgetSummary& budget, const std::string& stage) {
 std::vector<std::string> stage_names(const Report& report) {
     std::vector<std::string> names;
     for (std::size_t i = 1; i < report.methods.size(); ++i) {
-        for (const auto& [name, seconds] : report.methods[i].budgets.back().stages) {
-            if (std::find(names.begin(), names.end(), name) == names.end()) {
-                names.push_back(name);
-            }
-        }
+        for (const auto& [name, seconds] : report.methods[i].budgets.back().stages)
+            if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     }
     return names;
 }
@@ -141,9 +118,7 @@ PageObject method_data(const Report& report, std::size_t index) {
 PageList verdict_cards(const Report& report) {
     const std::vector<NamedCurve> curves = curves_of(report, error_metrics().front());
     PageList cards;
-    for (const double seconds : verdict_times) {
-        cards.push_back(card(report, judge(curves, seconds)));
-    }
+    for (const double seconds : verdict_times) cards.push_back(card(report, judge(curves, seconds)));
     return cards;
 }
 
@@ -155,9 +130,7 @@ PageList equal_time_tables(const Report& report) {
         for (const double seconds : verdict_times) {
             const Verdict verdict = judge(curves, seconds);
             PageList cells;
-            for (std::size_t i = 0; i < curves.size(); ++i) {
-                cells.push_back(error_cell(metric, verdict, i));
-            }
+            for (std::size_t i = 0; i < curves.size(); ++i) cells.push_back(error_cell(metric, verdict, i));
             rows.emplace_back(PageObject{{"head", seconds_text(seconds)}, {"cells", cells}});
         }
         tables.emplace_back(PageObject{{"metric", metric.title}, {"rows", rows}});
@@ -172,9 +145,7 @@ PageList equal_error_rows(const Report& report) {
         const TimesToError times = times_to(curves, error);
         const int best = fastest(times);
         PageList cells;
-        for (std::size_t i = 0; i < curves.size(); ++i) {
-            cells.push_back(time_cell(times, i, static_cast<int>(i) == best));
-        }
+        for (std::size_t i = 0; i < curves.size(); ++i) cells.push_back(time_cell(times, i, static_cast<int>(i) == best));
         rows.emplace_back(PageObject{{"head", percent_text(error)}, {"cells", cells}});
     }
     return rows;
@@ -192,9 +163,7 @@ PageList fit_rows(const Report& report) {
             cells.push_back(cell(law ? round_text(law->slope) : "–"));
             cells.push_back(cell(floor_text(metric, curve)));
         }
-        for (const std::optional<double>& part : {last.bias, last.noise}) {
-            cells.push_back(cell(part ? percent_text(*part) : "–"));
-        }
+        for (const std::optional<double>& part : {last.bias, last.noise}) cells.push_back(cell(part ? percent_text(*part) : "–"));
         cells.push_back(cell(round_text(last.mean_ratio)));
         cells.push_back(cell(seconds_text(last.seconds)));
         PageObject row = method_data(report, i);

@@ -15,9 +15,7 @@ std::string base64(const std::string& bytes) {
     std::string text;
     for (std::size_t i = 0; i < bytes.size(); i += 3) {
         unsigned group = 0;
-        for (std::size_t j = i; j < i + 3; ++j) {
-            group = group << 8 | (j < bytes.size() ? static_cast<unsigned char>(bytes[j]) : 0U);
-        }
+        for (std::size_t j = i; j < i + 3; ++j) group = group << 8 | (j < bytes.size() ? static_cast<unsigned char>(bytes[j]) : 0U);
         for (std::size_t j = 0; j < 4; ++j) {
             const bool padding = i + j > bytes.size();
             text += padding ? '=' : digits[group >> (18 - 6 * j) & 63U];
@@ -48,9 +46,7 @@ std::string data_uri(const std::string& mime, const std::string& bytes) { return
 std::string picture_uri(const std::vector<float>& rgb, int width, int height, double exposure) {
     const int factor = (width + widest - 1) / widest;
     std::vector<float> shown = factor > 1 ? shrink(rgb, width, height, factor) : rgb;
-    for (float& value : shown) {
-        value *= static_cast<float>(exposure);
-    }
+    for (float& value : shown) value *= static_cast<float>(exposure);
     const std::vector<unsigned char> png = encode_png({width / factor, height / factor, {{"", 3, shown.data()}}});
     return data_uri("image/png", std::string(png.begin(), png.end()));
 }

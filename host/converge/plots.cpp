@@ -21,9 +21,7 @@ constexpr int no_matplotlib = 3;  // exit status of plot.py
 
 std::vector<std::string> interpreters() {
     const char* chosen = std::getenv("PENCIL_PYTHON");
-    if (chosen != nullptr && *chosen != '\0') {
-        return {chosen};
-    }
+    if (chosen != nullptr && *chosen != '\0') return {chosen};
     return {"python3", "/usr/bin/python3"};
 }
 
@@ -31,9 +29,7 @@ std::vector<std::string> interpreters() {
 int run(std::vector<std::string> arguments) {
     std::vector<char*> pointers;
     pointers.reserve(arguments.size() + 1);
-    for (std::string& argument : arguments) {
-        pointers.push_back(argument.data());
-    }
+    for (std::string& argument : arguments) pointers.push_back(argument.data());
     pointers.push_back(nullptr);
     posix_spawn_file_actions_t files;
     posix_spawn_file_actions_init(&files);
@@ -60,9 +56,7 @@ std::string make_plots(const std::filesystem::path& folder) {
     std::string reasons;
     for (const std::string& python : interpreters()) {
         const int status = run({python, script.string(), folder.string()});
-        if (status == 0) {
-            return "";
-        }
+        if (status == 0) return "";
         const std::string reason = status == -1              ? std::string(std::strerror(errno))
                                    : status == no_matplotlib ? "has no matplotlib"
                                                              : fmt::format("failed with status {}", status);

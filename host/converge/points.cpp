@@ -27,16 +27,12 @@ double number_of(const Json& json) { return json.is_string() ? std::stod(json.ge
 
 std::string run_line(const RunPoint& point) {
     Json json{{"method", point.method}, {"budget", point.budget}, {"seed", point.seed}};
-    for (const RunField& field : run_fields) {
-        json[field.key] = number_json(point.*field.value);
-    }
+    for (const RunField& field : run_fields) json[field.key] = number_json(point.*field.value);
     json["excluded_pixels"] = point.excluded_pixels;
     json["load"] = number_json(point.load);
     json["options"] = point.options;
     json["stages"] = Json::object();
-    for (const auto& [name, seconds] : point.stages) {
-        json["stages"][name] = number_json(seconds);
-    }
+    for (const auto& [name, seconds] : point.stages) json["stages"][name] = number_json(seconds);
     return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -47,15 +43,11 @@ RunPoint parse_run(const std::string& line) {
     json.at("method").get_to(point.method);
     json.at("budget").get_to(point.budget);
     json.at("seed").get_to(point.seed);
-    for (const RunField& field : run_fields) {
-        point.*field.value = number_of(json.at(field.key));
-    }
+    for (const RunField& field : run_fields) point.*field.value = number_of(json.at(field.key));
     json.at("excluded_pixels").get_to(point.excluded_pixels);
     point.load = number_of(json.at("load"));
     json.at("options").get_to(point.options);
-    for (const auto& [name, seconds] : json.at("stages").items()) {
-        point.stages.emplace_back(name, number_of(seconds));
-    }
+    for (const auto& [name, seconds] : json.at("stages").items()) point.stages.emplace_back(name, number_of(seconds));
     return point;
 }
 
@@ -87,24 +79,19 @@ RunLog read_runs(const fs::path& file) {
         }
         start = end + 1;
     }
-    if (whole < text.size()) {
+    if (whole < text.size())
         log.warning = fmt::format("{}:{}: the line was cut off; its run is measured again", file.string(), log.points.size() + 1);
-    }
     return log;
 }
 
 void append_run(const fs::path& file, const RunPoint& point) {
     const std::string before = read_text(file), line = run_line(point);
     errno = 0;
-    if (whole_lines(before) < before.size() && ::truncate(file.c_str(), static_cast<off_t>(whole_lines(before))) != 0) {
-        cannot_write(file);
-    }
+    if (whole_lines(before) < before.size() && ::truncate(file.c_str(), static_cast<off_t>(whole_lines(before))) != 0) cannot_write(file);
     std::ofstream stream(file, std::ios::binary | std::ios::app);
     stream.write(line.data(), static_cast<std::streamsize>(line.size()));
     stream.close();
-    if (!stream) {
-        cannot_write(file);
-    }
+    if (!stream) cannot_write(file);
 }
 
 }  // namespace pencil

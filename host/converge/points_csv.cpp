@@ -9,18 +9,14 @@ namespace {
 /// Line breaks do not occur.
 std::string quoted(const std::string& text) {
     std::string result = "\"";
-    for (const char c : text) {
-        result += c == '"' ? "\"\"" : std::string(1, c);
-    }
+    for (const char c : text) result += c == '"' ? "\"\"" : std::string(1, c);
     return result + "\"";
 }
 
 /// "film geometry=0.01;direct light=0.2"
 std::string join_stages(const RunPoint& point) {
     std::string text;
-    for (const auto& [name, seconds] : point.stages) {
-        text += fmt::format("{}{}={}", text.empty() ? "" : ";", name, seconds);
-    }
+    for (const auto& [name, seconds] : point.stages) text += fmt::format("{}{}={}", text.empty() ? "" : ";", name, seconds);
     return text;
 }
 
@@ -28,15 +24,11 @@ std::string join_stages(const RunPoint& point) {
 
 std::string points_csv(const std::vector<RunPoint>& points) {
     std::string text = "method,budget,seed";
-    for (const RunField& field : run_fields) {
-        text += fmt::format(",{}", field.key);
-    }
+    for (const RunField& field : run_fields) text += fmt::format(",{}", field.key);
     text += ",excluded_pixels,load,options,stages\n";
     for (const RunPoint& point : points) {
         text += fmt::format("{},{},{}", point.method, point.budget, point.seed);
-        for (const RunField& field : run_fields) {
-            text += fmt::format(",{}", point.*field.value);
-        }
+        for (const RunField& field : run_fields) text += fmt::format(",{}", point.*field.value);
         text += fmt::format(",{},{},{},{}\n", point.excluded_pixels, point.load, quoted(point.options), quoted(join_stages(point)));
     }
     return text;

@@ -33,11 +33,8 @@ bool render_run(RunPoint& point, std::vector<float>& rgb, const Scene& scene, co
     RenderResult result = render(scene, render_options(point.method, point.budget, point.seed, options), device, progress);
     point.build_seconds = device->build_seconds() - built;
     point.seconds = watch.seconds() - point.build_seconds;
-    for (const StageTime& stage : result.stats.stages) {
-        if (stage.name != "kernel build") {
-            point.stages.emplace_back(stage.name, stage.wall_seconds);
-        }
-    }
+    for (const StageTime& stage : result.stats.stages)
+        if (stage.name != "kernel build") point.stages.emplace_back(stage.name, stage.wall_seconds);
     rgb = std::move(result.layers.front().pixels);
     return !result.interrupted;
 }
@@ -82,9 +79,7 @@ TracedImage trace_image(const Scene& scene, const ConvergeOptions& options, doub
 }
 
 std::string run_flags(const std::string& method, int budget) {
-    if (method == path_tracer_name) {
-        return fmt::format("--time {:g}", path_tracer_seconds(budget));
-    }
+    if (method == path_tracer_name) return fmt::format("--time {:g}", path_tracer_seconds(budget));
     return find_method(method).budget(budget).flags;
 }
 
@@ -102,9 +97,7 @@ std::optional<RunPoint> run_task(const Task& task, const Scene& scene, const Con
     std::vector<float> rgb;
     const bool finished = task.method == path_tracer_name ? trace_run(point, rgb, scene, options, progress)
                                                           : render_run(point, rgb, scene, options, device, progress);
-    if (!finished) {
-        return {};
-    }
+    if (!finished) return {};
     point.load = machine_load();
     measure_run(point, rgb, truth);
     write_image(image_file(options, task.method, task.budget, task.seed), {options.width, options.height, {{"", 3, rgb.data()}}},
@@ -118,9 +111,7 @@ std::optional<RunPoint> run_task(const Task& task, const Scene& scene, const Con
 }
 
 void warm_up(const Scene& scene, const ConvergeOptions& options, const std::shared_ptr<Device>& device, const Progress& progress) {
-    for (const std::string& method : options.methods) {
-        render(scene, render_options(method, 0, 0, options), device, progress);
-    }
+    for (const std::string& method : options.methods) render(scene, render_options(method, 0, 0, options), device, progress);
 }
 
 }  // namespace pencil

@@ -17,18 +17,14 @@ using Points = std::vector<const RunPoint*>;
 double median(std::vector<double> values) {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());
-    if (values.size() % 2 == 1) {
-        return *middle;
-    }
+    if (values.size() % 2 == 1) return *middle;
     return (*middle + *std::max_element(values.begin(), middle)) / 2;
 }
 
 template <typename Value>
 double mean(const Points& points, Value value) {
     double sum = 0;
-    for (const RunPoint* point : points) {
-        sum += value(*point);
-    }
+    for (const RunPoint* point : points) sum += value(*point);
     return sum / static_cast<double>(points.size());
 }
 
@@ -37,11 +33,8 @@ std::vector<std::pair<std::string, double>> median_stages(const Points& points) 
     for (auto& [name, seconds] : stages) {
         std::vector<double> times;
         for (const RunPoint* point : points) {
-            for (const auto& [other, time] : point->stages) {
-                if (other == name) {
-                    times.push_back(time);
-                }
-            }
+            for (const auto& [other, time] : point->stages)
+                if (other == name) times.push_back(time);
         }
         seconds = median(times);
     }
@@ -54,13 +47,9 @@ std::optional<double> square_of_mean(const BudgetSummary& budget, const std::str
     std::vector<double> sum(truth.rgb.size());
     for (const std::uint64_t seed : budget.seeds) {
         const std::filesystem::path file = image_file(options, method, budget.budget, seed);
-        if (!std::filesystem::exists(file)) {
-            return {};
-        }
+        if (!std::filesystem::exists(file)) return {};
         const std::vector<float> rgb = split_layers(read_image(file)).front().pixels;
-        if (rgb.size() != sum.size()) {
-            return {};
-        }
+        if (rgb.size() != sum.size()) return {};
         std::transform(sum.begin(), sum.end(), rgb.begin(), sum.begin(), [](double total, float value) { return total + value; });
     }
     const double n = static_cast<double>(budget.seeds.size());
@@ -87,8 +76,10 @@ BudgetSummary summarise_budget(const Points& points, const ConvergeOptions& opti
     budget.seconds = median(seconds);
     const double square = above_reference_noise(mean(points, [](const RunPoint& p) { return p.rel_mse; }), truth);
     budget.relative_error = std::sqrt(square);
-    budget.rmse = std::sqrt(mean(points, [](const RunPoint& p) { return p.rmse * p.rmse; }));
-    budget.lab_rms = std::sqrt(mean(points, [](const RunPoint& p) { return p.lab_rms * p.lab_rms; }));
+    budget.rmse = std::sqrt(mean(
+        points, [](const RunPoint& p) { return p.rmse * p.rmse; }));
+    budget.lab_rms = std::sqrt(mean(
+        points, [](const RunPoint& p) { return p.lab_rms * p.lab_rms; }));
     budget.mean_ratio = mean(points, [](const RunPoint& p) { return p.mean_ratio; });
     budget.stages = median_stages(points);
     if (points.size() > 1) {
@@ -116,18 +107,11 @@ std::vector<MethodSummary> summarise(const std::vector<RunPoint>& points, const 
     std::vector<MethodSummary> methods;
     for (const std::string& name : names) {
         std::map<int, Points> budgets;
-        for (const RunPoint& point : points) {
-            if (point.method == name && point.seed < static_cast<std::uint64_t>(options.seeds)) {
-                budgets[point.budget].push_back(&point);
-            }
-        }
-        if (budgets.empty()) {
-            continue;
-        }
+        for (const RunPoint& point : points)
+            if (point.method == name && point.seed < static_cast<std::uint64_t>(options.seeds)) budgets[point.budget].push_back(&point);
+        if (budgets.empty()) continue;
         methods.push_back({name, name == path_tracer_name ? path_tracer_summary : find_method(name).summary, {}});
-        for (const auto& [budget, runs] : budgets) {
-            methods.back().budgets.push_back(summarise_budget(runs, options, truth));
-        }
+        for (const auto& [budget, runs] : budgets) methods.back().budgets.push_back(summarise_budget(runs, options, truth));
     }
     return methods;
 }
@@ -135,9 +119,7 @@ std::vector<MethodSummary> summarise(const std::vector<RunPoint>& points, const 
 Curve curve_of(const MethodSummary& method, const ErrorMetric& metric) {
     std::vector<CurvePoint> points;
     points.reserve(method.budgets.size());
-    for (const BudgetSummary& budget : method.budgets) {
-        points.push_back({budget.seconds, budget.*metric.value});
-    }
+    for (const BudgetSummary& budget : method.budgets) points.push_back({budget.seconds, budget.*metric.value});
     return make_curve(std::move(points));
 }
 

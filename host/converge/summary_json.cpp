@@ -13,17 +13,13 @@ Json optional_json(const std::optional<double>& value) { return value ? Json(*va
 
 Json stages_json(const BudgetSummary& budget) {
     Json stages = Json::object();
-    for (const auto& [name, seconds] : budget.stages) {
-        stages[name] = seconds;
-    }
+    for (const auto& [name, seconds] : budget.stages) stages[name] = seconds;
     return stages;
 }
 
 Json budget_json(const BudgetSummary& budget) {
     Json json{{"budget", budget.budget}, {"options", budget.options}, {"seeds", budget.seeds}, {"seconds", budget.seconds}};
-    for (const ErrorMetric& metric : error_metrics()) {
-        json[metric.key] = budget.*metric.value;
-    }
+    for (const ErrorMetric& metric : error_metrics()) json[metric.key] = budget.*metric.value;
     json["mean_ratio"] = budget.mean_ratio;
     json["bias"] = optional_json(budget.bias);
     json["noise"] = optional_json(budget.noise);
@@ -42,20 +38,14 @@ Json fit_json(const Curve& curve) {
 
 Json method_json(const MethodSummary& method) {
     Json json{{"name", method.name}, {"summary", method.summary}, {"budgets", Json::array()}, {"fits", Json::object()}};
-    for (const BudgetSummary& budget : method.budgets) {
-        json["budgets"].push_back(budget_json(budget));
-    }
-    for (const ErrorMetric& metric : error_metrics()) {
-        json["fits"][metric.key] = fit_json(curve_of(method, metric));
-    }
+    for (const BudgetSummary& budget : method.budgets) json["budgets"].push_back(budget_json(budget));
+    for (const ErrorMetric& metric : error_metrics()) json["fits"][metric.key] = fit_json(curve_of(method, metric));
     return json;
 }
 
 /// A value, or null with the reason in words.
 Json reading_json(const Reading& reading) {
-    if (reading.kind == Reading::Kind::measured) {
-        return {{"value", reading.value}, {"state", "measured"}};
-    }
+    if (reading.kind == Reading::Kind::measured) return {{"value", reading.value}, {"state", "measured"}};
     const bool before = reading.kind == Reading::Kind::before_first;
     return {{"value", nullptr},
             {"state", before ? "before first point" : "not reached"},
@@ -70,9 +60,7 @@ Json equal_time_json(const std::vector<NamedCurve>& curves, double seconds) {
               {"second", name(verdict.second)},
               {"lead", verdict.second < 0 ? Json() : Json(verdict.lead)},
               {"errors", Json::object()}};
-    for (std::size_t i = 0; i < curves.size(); ++i) {
-        json["errors"][curves[i].name] = reading_json(verdict.errors[i]);
-    }
+    for (std::size_t i = 0; i < curves.size(); ++i) json["errors"][curves[i].name] = reading_json(verdict.errors[i]);
     return json;
 }
 
@@ -89,12 +77,8 @@ Json equal_error_json(const std::vector<NamedCurve>& curves, double error) {
 Json comparison_json(const Report& report, const ErrorMetric& metric) {
     const std::vector<NamedCurve> curves = curves_of(report, metric);
     Json json{{"equal_time", Json::array()}, {"equal_error", Json::array()}};
-    for (const double seconds : verdict_times) {
-        json["equal_time"].push_back(equal_time_json(curves, seconds));
-    }
-    for (const double error : round_errors(curves)) {
-        json["equal_error"].push_back(equal_error_json(curves, error));
-    }
+    for (const double seconds : verdict_times) json["equal_time"].push_back(equal_time_json(curves, seconds));
+    for (const double error : round_errors(curves)) json["equal_error"].push_back(equal_error_json(curves, error));
     return json;
 }
 
@@ -122,12 +106,8 @@ std::string summary_json(const Report& report) {
               {"methods", Json::array()},
               {"comparison", Json::object()},
               {"warnings", report.warnings}};
-    for (const MethodSummary& method : report.methods) {
-        json["methods"].push_back(method_json(method));
-    }
-    for (const ErrorMetric& metric : error_metrics()) {
-        json["comparison"][metric.key] = comparison_json(report, metric);
-    }
+    for (const MethodSummary& method : report.methods) json["methods"].push_back(method_json(method));
+    for (const ErrorMetric& metric : error_metrics()) json["comparison"][metric.key] = comparison_json(report, metric);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

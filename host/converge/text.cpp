@@ -7,13 +7,9 @@
 namespace pencil {
 
 std::string round_text(double value) {
-    if (!std::isfinite(value)) {
-        return "–";
-    }
+    if (!std::isfinite(value)) return "–";
     const double magnitude = std::abs(value);
-    if (magnitude >= 1e6 || (magnitude > 0 && magnitude < 1e-3)) {
-        return fmt::format("{:.1e}", value);
-    }
+    if (magnitude >= 1e6 || (magnitude > 0 && magnitude < 1e-3)) return fmt::format("{:.1e}", value);
     return fmt::format(magnitude >= 10 ? "{:.0f}" : "{:.2g}", value);
 }
 

@@ -32,14 +32,10 @@ void set_pixels(Truth& truth, std::vector<float> rgb) {
 /// Relative noise by the layer of variances that `pencil reference` can write, for files that do not say it themselves.
 std::optional<double> noise_of(const Image& image, const std::vector<NamedLayer>& layers) {
     const auto said = image.metadata.find(noise_key);
-    if (said != image.metadata.end()) {
-        return std::stod(said->second);
-    }
+    if (said != image.metadata.end()) return std::stod(said->second);
     const std::vector<std::string> rgb{"R", "G", "B"};
     const auto variance = std::find_if(layers.begin(), layers.end(), [](const NamedLayer& layer) { return layer.name == "variance"; });
-    if (variance == layers.end() || variance->channels != rgb) {
-        return {};
-    }
+    if (variance == layers.end() || variance->channels != rgb) return {};
     const std::vector<float>& beauty = layers.front().pixels;
     std::vector<float> displaced(beauty.size());
     std::transform(beauty.begin(), beauty.end(), variance->pixels.begin(), displaced.begin(),
@@ -48,18 +44,15 @@ std::optional<double> noise_of(const Image& image, const std::vector<NamedLayer>
 }
 
 std::optional<Truth> cached_truth(const std::filesystem::path& file, const Scene& scene, const ConvergeOptions& options) {
-    if (!std::filesystem::exists(file)) {
-        return {};
-    }
+    if (!std::filesystem::exists(file)) return {};
     const Image image = read_image(file);
     const auto is = [&](const char* key, const std::string& value) {
         const auto found = image.metadata.find(key);
         return found != image.metadata.end() && found->second == value;
     };
     if (image.width != options.width || image.height != options.height || !is("pencil:bounces", bounces_text(options)) ||
-        !is("pencil:sceneFingerprint", scene_fingerprint(scene))) {
+        !is("pencil:sceneFingerprint", scene_fingerprint(scene)))
         return {};
-    }
     return read_truth(file, scene, options);
 }
 
@@ -82,9 +75,8 @@ Truth read_truth(const std::filesystem::path& file, const Scene& scene, const Co
                          fmt::format("the reference has {} pixels, {} are to be measured; use its --resolution",
                                      format_extent(image.width, image.height), format_extent(options.width, options.height)));
     }
-    if (layers.front().name != "beauty" || layers.front().channels != std::vector<std::string>{"R", "G", "B"}) {
+    if (layers.front().name != "beauty" || layers.front().channels != std::vector<std::string>{"R", "G", "B"})
         throw SceneError(file.string(), "the reference has no channels R, G and B");
-    }
     Truth truth;
     truth.name = file.filename().string();
     truth.width = image.width;
@@ -96,12 +88,10 @@ Truth read_truth(const std::filesystem::path& file, const Scene& scene, const Co
     truth.noise_rel_mse = noise_of(image, layers);
     set_pixels(truth, layers.front().pixels);
     const auto theirs = image.metadata.find("pencil:sceneFingerprint");
-    if (theirs != image.metadata.end() && theirs->second != scene_fingerprint(scene)) {
+    if (theirs != image.metadata.end() && theirs->second != scene_fingerprint(scene))
         truth.warnings.push_back(fmt::format("the reference {} was made from another scene", file.string()));
-    }
-    if (image.metadata.count("pencil:interrupted") > 0) {
+    if (image.metadata.count("pencil:interrupted") > 0)
         truth.warnings.push_back(fmt::format("the reference {} is the unfinished image of an interrupted render", file.string()));
-    }
     const auto bad = std::count_if(truth.rgb.begin(), truth.rgb.end(), [](float value) { return !std::isfinite(value); });
     if (bad > 0) {
         truth.warnings.push_back(
@@ -112,18 +102,14 @@ Truth read_truth(const std::filesystem::path& file, const Scene& scene, const Co
 
 std::optional<Truth> own_truth(const Scene& scene, const ConvergeOptions& options, const Progress& progress) {
     const std::filesystem::path file = options.folder / "reference.exr";
-    if (std::optional<Truth> cached = cached_truth(file, scene, options)) {
-        return cached;
-    }
+    if (std::optional<Truth> cached = cached_truth(file, scene, options)) return cached;
     std::vector<TracedImage> halves;
     for (const std::uint64_t half : {0, 1}) {
         const Progress part = [&](const std::string&, double fraction) {
             return !progress || progress("reference", (static_cast<double>(half) + fraction) / 2);
         };
         halves.push_back(trace_image(scene, options, truth_seconds(options) / 2, first_half_seed + half, part));
-        if (halves.back().interrupted) {
-            return {};
-        }
+        if (halves.back().interrupted) return {};
     }
     std::vector<float> rgb(halves[0].rgb.size());
     std::transform(halves[0].rgb.begin(), halves[0].rgb.end(), halves[1].rgb.begin(), rgb.begin(),

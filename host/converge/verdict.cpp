@@ -11,9 +11,7 @@ Verdict judge(const std::vector<NamedCurve>& curves, double seconds) {
     std::vector<int> measured;
     for (const NamedCurve& named : curves) {
         verdict.errors.push_back(error_at(named.curve, seconds));
-        if (verdict.errors.back().kind == Reading::Kind::measured) {
-            measured.push_back(static_cast<int>(verdict.errors.size()) - 1);
-        }
+        if (verdict.errors.back().kind == Reading::Kind::measured) measured.push_back(static_cast<int>(verdict.errors.size()) - 1);
     }
     const auto error = [&](int index) { return verdict.errors[static_cast<std::size_t>(index)].value; };
     std::stable_sort(measured.begin(), measured.end(), [&](int a, int b) { return error(a) < error(b); });
@@ -28,9 +26,7 @@ Verdict judge(const std::vector<NamedCurve>& curves, double seconds) {
 TimesToError times_to(const std::vector<NamedCurve>& curves, double error) {
     TimesToError row;
     row.error = error;
-    for (const NamedCurve& named : curves) {
-        row.times.push_back(time_to(named.curve, error));
-    }
+    for (const NamedCurve& named : curves) row.times.push_back(time_to(named.curve, error));
     for (const Reading& time : row.times) {
         const bool both = time.kind == Reading::Kind::measured && row.times.front().kind == Reading::Kind::measured;
         row.speedups.push_back(both ? row.times.front().value / time.value : 0);
@@ -51,9 +47,7 @@ std::vector<double> round_errors(const std::vector<NamedCurve>& curves) {
         for (int power = static_cast<int>(std::floor(std::log10(high))); power >= static_cast<int>(std::floor(std::log10(low))); --power) {
             for (const double mantissa : {5.0, 2.0, 1.0}) {
                 const double error = mantissa * std::pow(10.0, power);
-                if (error >= low && error <= high) {
-                    errors.push_back(error);
-                }
+                if (error >= low && error <= high) errors.push_back(error);
             }
         }
     }

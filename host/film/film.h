@@ -36,7 +36,7 @@ private:
     /// sample_count`.
     auto strip(int first_row, int rows) const {
         return std::tuple<const Buffer<Hit>&, const Camera&, const Buffer<glm::vec2>&, int, int, int>(hits_, camera_, offsets_, samples_,
-                                                                                                    first_row, rows);
+                                                                                                      first_row, rows);
     }
     auto pixels() const { return std::tie(slots_, counts_, first_surfel_); }
     auto filter() const { return std::tie(weights_, totals_, reach_, samples_); }

@@ -62,7 +62,8 @@ void FilmLayers::add_surfaces(Kernels& kernels, const DeviceScene& scene, const 
 }
 
 void FilmLayers::add_to_beauty(const std::vector<float>& pixels) {
-    std::transform(beauty_.begin(), beauty_.end(), pixels.begin(), beauty_.begin(), [](float a, float b) { return a + b; });
+    std::transform(
+        beauty_.begin(), beauty_.end(), pixels.begin(), beauty_.begin(), [](float a, float b) { return a + b; });
 }
 
 void FilmLayers::add_bounce(int order, std::vector<float> pixels) {

@@ -8,10 +8,11 @@ namespace pencil {
 Frame::Frame(RenderContext& context, const std::vector<std::string>& aovs, int light_samples, int light_map, const Turn& turn)
     : context_(context), layers_(aovs) {
     Kernels& kernels = context.kernels;
-    context.clock.run("film geometry", [&] {
-        film_ = std::make_unique<Film>(kernels, context.device_scene, context.flat.camera, context.scene.sensor.filter, turn);
-    });
-    context.clock.run("light sample maps", [&] { make_lights(light_samples, light_map, turn); });
+    context.clock.run(
+        "film geometry",
+        [&] { film_ = std::make_unique<Film>(kernels, context.device_scene, context.flat.camera, context.scene.sensor.filter, turn); });
+    context.clock.run(
+        "light sample maps", [&] { make_lights(light_samples, light_map, turn); });
     context.clock.run("surface layers", [&] { layers_.add_surfaces(kernels, context.device_scene, context.flat, *film_); });
     context.clock.allow_stops();
 }

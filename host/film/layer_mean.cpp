@@ -42,9 +42,7 @@ double LayerMean::relative_mean(Square square) const {
     const double mean = std::accumulate(pixels.begin(), pixels.end(), 0.0) / static_cast<double>(pixels.size());
     if (mean <= 0) return 0;
     double sum = 0;
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-        sum += square(i) / relative_to(pixels[i], mean);
-    }
+    for (std::size_t i = 0; i < pixels.size(); ++i) sum += square(i) / relative_to(pixels[i], mean);
     return sum / static_cast<double>(pixels.size());
 }
 

@@ -42,9 +42,7 @@ OIIO::ImageSpec exr_spec(const LayeredImage& image, const Metadata& metadata) {
     const std::size_t raw_bytes = spec.image_bytes();
     spec.attribute("compression", raw_bytes > stored_above ? "none" : "zip:1");
     spec.attribute("DateTime", "");  // OpenImageIO would put the time of day
-    for (const auto& [name, value] : metadata) {
-        std::visit(Attribute{spec, name}, value);
-    }
+    for (const auto& [name, value] : metadata) std::visit(Attribute{spec, name}, value);
     return spec;
 }
 
@@ -55,9 +53,7 @@ void interleave(const LayeredImage& image, int first_row, int rows, std::vector<
     std::size_t offset = 0;
     for (const ImageLayer& layer : image.layers) {
         const float* from = layer.pixels + first * layer.channels;
-        for (std::size_t i = 0; i < pixels; ++i) {
-            std::copy_n(from + i * layer.channels, layer.channels, &out[i * stride + offset]);
-        }
+        for (std::size_t i = 0; i < pixels; ++i) std::copy_n(from + i * layer.channels, layer.channels, &out[i * stride + offset]);
         offset += layer.channels;
     }
 }
@@ -73,24 +69,16 @@ std::vector<unsigned char> encode_exr(const LayeredImage& image, const Metadata&
     bytes.reserve(spec.image_bytes() + spec.image_bytes() / 16);
     OIIO::Filesystem::IOVecOutput memory(bytes);
     const std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create("openexr");
-    if (!out) {
-        encoding_failed("EXR", OIIO::geterror());
-    }
+    if (!out) encoding_failed("EXR", OIIO::geterror());
     out->set_ioproxy(&memory);
-    if (!out->open("memory.exr", spec)) {
-        encoding_failed("EXR", out->geterror());
-    }
+    if (!out->open("memory.exr", spec)) encoding_failed("EXR", out->geterror());
     std::vector<float> block(std::size_t(rows_per_write) * image.width * spec.nchannels);
     for (int y = 0; y < image.height; y += rows_per_write) {
         const int rows = std::min(rows_per_write, image.height - y);
         interleave(image, y, rows, block);
-        if (!out->write_scanlines(y, y + rows, 0, OIIO::TypeDesc::FLOAT, block.data())) {
-            encoding_failed("EXR", out->geterror());
-        }
+        if (!out->write_scanlines(y, y + rows, 0, OIIO::TypeDesc::FLOAT, block.data())) encoding_failed("EXR", out->geterror());
     }
-    if (!out->close()) {
-        encoding_failed("EXR", out->geterror());
-    }
+    if (!out->close()) encoding_failed("EXR", out->geterror());
     return bytes;
 }
 
@@ -109,13 +97,10 @@ std::string describe(const NonFinite& found, const std::filesystem::path& path, 
 std::vector<std::string> channel_names(const ImageLayer& layer) {
     const bool vector = layer.name == "normal" || layer.name == "position";
     const std::string_view letters = layer.channels == 1 ? "Z" : vector ? "XYZ" : "RGBA";
-    if (layer.channels < 1 || static_cast<std::size_t>(layer.channels) > letters.size()) {
+    if (layer.channels < 1 || static_cast<std::size_t>(layer.channels) > letters.size())
         throw OutputError(fmt::format("layer \"{}\" has {} channels", layer.name, layer.channels));
-    }
     std::vector<std::string> names;
-    for (int i = 0; i < layer.channels; ++i) {
-        names.push_back((layer.name.empty() ? "" : layer.name + ".") + letters[i]);
-    }
+    for (int i = 0; i < layer.channels; ++i) names.push_back((layer.name.empty() ? "" : layer.name + ".") + letters[i]);
     return names;
 }
 
@@ -124,9 +109,7 @@ NonFinite find_non_finite(const LayeredImage& image) {
     for (const ImageLayer& layer : image.layers) {
         const std::size_t values = std::size_t(image.width) * image.height * layer.channels;
         for (std::size_t i = 0; i < values; ++i) {
-            if (std::isfinite(layer.pixels[i])) {
-                continue;
-            }
+            if (std::isfinite(layer.pixels[i])) continue;
             if (found.values++ == 0) {
                 const std::size_t pixel = i / layer.channels;
                 found.channel = channel_names(layer)[i % layer.channels];
@@ -141,9 +124,8 @@ NonFinite find_non_finite(const LayeredImage& image) {
 ImageFormat image_format(const std::filesystem::path& path) {
     std::string extension = path.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
-    if (extension != ".exr" && extension != ".png") {
+    if (extension != ".exr" && extension != ".png")
         throw UsageError("cannot write " + path.string() + ": the extension must be .exr or .png");
-    }
     return extension == ".png" ? ImageFormat::png : ImageFormat::exr;
 }
 
@@ -158,13 +140,10 @@ std::vector<unsigned char> encode_png(const LayeredImage& image) {
     std::vector<unsigned char> bytes;
     OIIO::Filesystem::IOVecOutput memory(bytes);
     const std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create("png");
-    if (!out) {
-        encoding_failed("PNG", OIIO::geterror());
-    }
+    if (!out) encoding_failed("PNG", OIIO::geterror());
     out->set_ioproxy(&memory);
-    if (!out->open("memory.png", spec) || !out->write_image(OIIO::TypeDesc::UINT8, pixels.data()) || !out->close()) {
+    if (!out->open("memory.png", spec) || !out->write_image(OIIO::TypeDesc::UINT8, pixels.data()) || !out->close())
         encoding_failed("PNG", out->geterror());
-    }
     return bytes;
 }
 

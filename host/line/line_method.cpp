@@ -62,10 +62,12 @@ bool LineMethod::begin() {
 void LineMethod::find_rooms() {
     const LightSet& lights = frame_->lights();
     visible_ = Buffer<int>(context_.kernels.device(), static_cast<std::size_t>(frame_->film().surfels().capacity), "visible pencils");
-    context_.clock.run("rooms", [&] {
-        free_space_ = std::make_unique<FreeSpace>(context_.kernels, context_.device_scene, context_.flat, frame_->film().surfels(),
-                                                  lights.maps.count > 0 ? &lights.maps : nullptr, context_.options.map);
-    });
+    context_.clock.run(
+        "rooms",
+        [&] {
+            free_space_ = std::make_unique<FreeSpace>(context_.kernels, context_.device_scene, context_.flat, frame_->film().surfels(),
+                                                      lights.maps.count > 0 ? &lights.maps : nullptr, context_.options.map);
+        });
     context_.clock.run("pencil maps", [&] {
         candidates_ = make_candidate_source({context_.kernels, context_.device_scene, context_.scene, context_.flat, context_.options.seed},
                                             context_.options.placement);

@@ -28,17 +28,13 @@ constexpr int largest_side = 1000000;  // [pixels]; what fits into memory is jud
 
 std::int64_t parse_integer(const std::string& text, std::int64_t low, std::int64_t high) {
     std::int64_t value = 0;
-    if (!reads_as(text, value) || value < low || value > high) {
-        reject(text, fmt::format("an integer from {} to {}", low, high));
-    }
+    if (!reads_as(text, value) || value < low || value > high) reject(text, fmt::format("an integer from {} to {}", low, high));
     return value;
 }
 
 std::uint64_t parse_seed(const std::string& text) {
     std::uint64_t value = 0;
-    if (!reads_as(text, value)) {
-        reject(text, "an integer from 0 to 18446744073709551615");
-    }
+    if (!reads_as(text, value)) reject(text, "an integer from 0 to 18446744073709551615");
     return value;
 }
 
@@ -56,31 +52,25 @@ std::pair<int, int> parse_resolution(const std::string& text) {
     const std::size_t cross = std::min(text.find_first_of("xX"), text.size());
     int width = 0, height = 0;
     const bool numbers = reads_as(text.substr(0, cross), width) && reads_as(text.substr(std::min(cross + 1, text.size())), height);
-    if (!numbers || std::min(width, height) < 1 || std::max(width, height) > largest_side) {
+    if (!numbers || std::min(width, height) < 1 || std::max(width, height) > largest_side)
         reject(text, fmt::format("WIDTHxHEIGHT with both from 1 to {}", largest_side));
-    }
     return {width, height};
 }
 
 std::pair<std::string, std::string> parse_define(const std::string& text) {
     const std::size_t equals = text.find('=');
-    if (equals == 0 || equals == std::string::npos) {
-        reject(text, "name=value");
-    }
+    if (equals == 0 || equals == std::string::npos) reject(text, "name=value");
     return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
 std::vector<std::string> parse_list(const std::string& text, const std::vector<std::string>& known) {
-    if (text == "all") {
-        return known;
-    }
+    if (text == "all") return known;
     std::vector<std::string> wanted;
     for (std::size_t start = 0; text != "none" && start <= text.size();) {
         const std::size_t comma = std::min(text.find(',', start), text.size());
         wanted.push_back(text.substr(start, comma - start));
-        if (std::find(known.begin(), known.end(), wanted.back()) == known.end()) {
+        if (std::find(known.begin(), known.end(), wanted.back()) == known.end())
             reject(wanted.back(), "one of " + join(known) + ", or all, or none");
-        }
         start = comma + 1;
     }
     std::vector<std::string> ordered;
@@ -91,9 +81,7 @@ std::vector<std::string> parse_list(const std::string& text, const std::vector<s
 
 std::size_t parse_choice(const std::string& text, const std::vector<std::string>& known) {
     const auto found = std::find(known.begin(), known.end(), text);
-    if (found == known.end()) {
-        reject(text, "one of " + join(known));
-    }
+    if (found == known.end()) reject(text, "one of " + join(known));
     return static_cast<std::size_t>(found - known.begin());
 }
 
@@ -102,9 +90,8 @@ std::vector<std::size_t> parse_mixture(const std::string& text, const std::vecto
     for (std::size_t start = 0; start <= text.size();) {
         const std::size_t plus = std::min(text.find('+', start), text.size());
         const std::size_t member = parse_choice(text.substr(start, plus - start), known);
-        if (std::find(members.begin(), members.end(), member) != members.end()) {
+        if (std::find(members.begin(), members.end(), member) != members.end())
             throw std::invalid_argument("\"" + text + "\" names " + known[member] + " twice");
-        }
         members.push_back(member);
         start = plus + 1;
     }
@@ -113,9 +100,7 @@ std::vector<std::size_t> parse_mixture(const std::string& text, const std::vecto
 
 std::string join(const std::vector<std::string>& parts) {
     std::string joined;
-    for (const std::string& part : parts) {
-        joined += (joined.empty() ? "" : ", ") + part;
-    }
+    for (const std::string& part : parts) joined += (joined.empty() ? "" : ", ") + part;
     return joined;
 }
 

@@ -107,11 +107,13 @@ void FilmSums::add_surface_layers(const std::vector<int>& samples, const RayScen
 /// For independent sets s of n_s samples with means m_s, each with variance sigma^2 / n_s: the mean over all N = sum n_s samples has the
 /// variance sigma^2 / N, and sigma^2 is estimated without bias by sum n_s (m_s - m)^2 / (sets - 1).
 Layer FilmSums::variance(const std::vector<int>& samples, const std::vector<int>& sets) const {
-    return make_layer("variance", samples, [&](std::size_t i) {
-        if (sets[i] < 2) return glm::dvec3(0);
-        const double n = samples[i];
-        return glm::max((squares_[i] - total_[i] * total_[i] / n) / ((sets[i] - 1) * n), glm::dvec3(0));
-    });
+    return make_layer(
+        "variance", samples,
+        [&](std::size_t i) {
+            if (sets[i] < 2) return glm::dvec3(0);
+            const double n = samples[i];
+            return glm::max((squares_[i] - total_[i] * total_[i] / n) / ((sets[i] - 1) * n), glm::dvec3(0));
+        });
 }
 
 }  // namespace pencil

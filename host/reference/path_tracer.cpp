@@ -86,9 +86,8 @@ public:
         SamplePlan plan(options_);
         const Stopwatch watch;
         tbb::task_arena arena(options_.threads > 0 ? options_.threads : tbb::task_arena::automatic);
-        for (SamplePlan::Pass pass = plan.next(0); pass.samples > 0 && !reporter_.stopped(); pass = plan.next(watch.seconds())) {
+        for (SamplePlan::Pass pass = plan.next(0); pass.samples > 0 && !reporter_.stopped(); pass = plan.next(watch.seconds()))
             arena.execute([&] { trace_pass(pass, plan, watch); });
-        }
         result_.trace_seconds = watch.seconds();
         return finish();
     }

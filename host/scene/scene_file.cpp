@@ -42,9 +42,8 @@ std::string read_bytes(const fs::path& file, std::uintmax_t bytes, const std::st
 
 std::string read_regular_file(const fs::path& file, std::uintmax_t max_bytes, const std::string& where) {
     const std::uintmax_t size = regular_size(file, where);
-    if (size > max_bytes) {
+    if (size > max_bytes)
         throw SceneError(where, '"' + shown(file) + "\" has " + std::to_string(size) + " bytes, the limit is " + std::to_string(max_bytes));
-    }
     return read_bytes(file, size, where);
 }
 
@@ -55,24 +54,21 @@ std::string read_head(const fs::path& file, std::size_t bytes, const std::string
 fs::path path_inside(const fs::path& folder, const std::string& name, const std::string& where) {
     const fs::path path(name);
     if (name.empty()) throw SceneError(where, "the file name is empty");
-    if (name.find('\0') != std::string::npos || name.find(':') != std::string::npos || name.find('\\') != std::string::npos) {
+    if (name.find('\0') != std::string::npos || name.find(':') != std::string::npos || name.find('\\') != std::string::npos)
         throw SceneError(where, "file name " + in_quotes(name) + " is refused: give a relative path with forward slashes");
-    }
     if (path.is_absolute()) {
         throw SceneError(where,
                          "file name " + in_quotes(name) + " is absolute: files must lie in the scene's folder, named relative to it");
     }
-    if (std::find(path.begin(), path.end(), fs::path("..")) != path.end()) {
+    if (std::find(path.begin(), path.end(), fs::path("..")) != path.end())
         throw SceneError(where, "file name " + in_quotes(name) + " is refused: \"..\" may leave the scene's folder");
-    }
     std::error_code error;
     // From the canonical folder on, so that a file that does not exist is still an absolute path.
     const fs::path root = fs::canonical(folder.empty() ? fs::path(".") : folder, error);
     const fs::path target = error ? fs::path() : fs::weakly_canonical(root / path, error);
     if (error) throw SceneError(where, "cannot follow " + in_quotes(name) + ": " + error.message());
-    if (std::mismatch(root.begin(), root.end(), target.begin(), target.end()).first != root.end()) {
+    if (std::mismatch(root.begin(), root.end(), target.begin(), target.end()).first != root.end())
         throw SceneError(where, "file name " + in_quotes(name) + " is refused: it is a link that leaves the scene's folder");
-    }
     return folder / path;
 }
 

@@ -13,9 +13,7 @@ public:
     void add_bytes(const void* data, std::size_t bytes) {
         const std::uint64_t prime = 0x100000001b3;
         const auto* next = static_cast<const unsigned char*>(data);
-        for (const unsigned char* end = next + bytes; next != end; ++next) {
-            value_ = (value_ ^ *next) * prime;
-        }
+        for (const unsigned char* end = next + bytes; next != end; ++next) value_ = (value_ ^ *next) * prime;
     }
     template <typename T>
     void add(T value) {
@@ -68,9 +66,8 @@ void add_sensor(Hash& hash, const PerspectiveSensor& sensor) {
     hash.add_bytes(glm::value_ptr(sensor.to_world), 16 * sizeof(double));
     hash.add_bytes(glm::value_ptr(sensor.principal_point_offset), 2 * sizeof(double));
     for (const double value :
-         {sensor.fov_x, sensor.near_clip, sensor.far_clip, sensor.filter.radius, sensor.filter.stddev, sensor.filter.b, sensor.filter.c}) {
+         {sensor.fov_x, sensor.near_clip, sensor.far_clip, sensor.filter.radius, sensor.filter.stddev, sensor.filter.b, sensor.filter.c})
         hash.add(value);
-    }
     hash.add(static_cast<int>(sensor.filter.kind));
 }
 

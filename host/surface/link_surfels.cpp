@@ -6,9 +6,7 @@ SurfaceLinks link_surfels(Kernels& kernels, const Surfels& surfels, const Surfac
     const auto count = static_cast<std::size_t>(surfels.count);
     SurfaceLinks links{Buffer<glm::ivec4>(kernels.device(), count, "links of surfels"),
                        Buffer<float4>(kernels.device(), count, "link weights of surfels")};
-    kernels.get("link_surfels")
-        .args(surfels.list(), pencils.data, grid.list(), links.list())
-        .run(count, "link surfels");
+    kernels.get("link_surfels").args(surfels.list(), pencils.data, grid.list(), links.list()).run(count, "link surfels");
     return links;
 }
 

@@ -49,7 +49,8 @@ SurfaceSolver::SurfaceSolver(Kernels& kernels, const DeviceScene& scene, const F
 void SurfaceSolver::solve(const SurfacePencils& seeds, int orders, double tolerance) {
     direct_ = orders < 0 || orders >= 2;
     if (!direct_) return;  // film pencils see no reflections
-    clock_.run("world pencils", [&] { world_.cover(seeds); });
+    clock_.run(
+        "world pencils", [&] { world_.cover(seeds); });
     clock_.run("world bounces", [&] { iterate(orders, tolerance); });
 }
 

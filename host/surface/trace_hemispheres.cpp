@@ -9,7 +9,8 @@ void trace_hemispheres(Kernels& kernels, const DeviceScene& scene, const Surface
     const int texels = count * pencils.texels();
     surfels.count = first_surfel + texels;
     kernels.get("trace_hemispheres")
-        .args(pencils.range(first, count), points.seed, sobol_2d(points.turn), scene.hierarchy(), scene.surfaces(), surfels.store(), first_surfel)
+        .args(pencils.range(first, count), points.seed, sobol_2d(points.turn), scene.hierarchy(), scene.surfaces(), surfels.store(),
+              first_surfel)
         .run(kernels.packets(texels), "trace hemispheres");
 }
 

@@ -33,8 +33,8 @@ constexpr std::size_t visit_stride = 7919;
 constexpr double darts_per_square = 0.7;
 
 double surface_area(const FlatScene& flat) {
-    return std::accumulate(flat.triangles.begin(), flat.triangles.end(), 0.0,
-                           [](double sum, const Triangle& t) { return sum + glm::length(area_vector(t)); });
+    return std::accumulate(
+        flat.triangles.begin(), flat.triangles.end(), 0.0, [](double sum, const Triangle& t) { return sum + glm::length(area_vector(t)); });
 }
 
 }  // namespace

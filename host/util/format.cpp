@@ -11,9 +11,7 @@ std::string format_size(std::uint64_t bytes) {
     const std::array<const char*, 5> units{"bytes", "KiB", "MiB", "GiB", "TiB"};
     double value = static_cast<double>(bytes);
     std::size_t unit = 0;
-    for (; value >= 1024 && unit + 1 < units.size(); ++unit) {
-        value /= 1024;
-    }
+    for (; value >= 1024 && unit + 1 < units.size(); ++unit) value /= 1024;
     return fmt::format("{:.{}f} {}", value, unit == 0 ? 0 : 1, units[unit]);
 }
 

@@ -30,21 +30,13 @@ public:
         for (int i = 0; i < attempts && descriptor_ < 0; ++i) {
             path_ = folder / (fmt::format(".pencil-{}-{}.tmp", ::getpid(), i));
             descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-            if (descriptor_ < 0 && errno != EEXIST) {
-                fail(wanted_, errno);
-            }
+            if (descriptor_ < 0 && errno != EEXIST) fail(wanted_, errno);
         }
-        if (descriptor_ < 0) {
-            fail(wanted_, EEXIST);
-        }
+        if (descriptor_ < 0) fail(wanted_, EEXIST);
     }
     ~TemporaryFile() {
-        if (descriptor_ >= 0) {
-            ::close(descriptor_);
-        }
-        if (!path_.empty()) {
-            ::unlink(path_.c_str());
-        }
+        if (descriptor_ >= 0) ::close(descriptor_);
+        if (!path_.empty()) ::unlink(path_.c_str());
     }
     TemporaryFile(const TemporaryFile&) = delete;
     TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -54,9 +46,7 @@ public:
         while (bytes > 0) {
             const std::size_t most = std::size_t{1} << 30;  // Linux writes at most 2 GiB in one call
             const ::ssize_t written = ::write(descriptor_, next, std::min(bytes, most));
-            if (written < 0 && errno != EINTR) {
-                fail(wanted_, errno);
-            }
+            if (written < 0 && errno != EINTR) fail(wanted_, errno);
             if (written > 0) {
                 next += written;
                 bytes -= static_cast<std::size_t>(written);
@@ -67,9 +57,7 @@ public:
     void rename_to(const fs::path& target) {
         const int closed = ::close(descriptor_);
         descriptor_ = -1;
-        if (closed != 0 || ::rename(path_.c_str(), target.c_str()) != 0) {
-            fail(wanted_, errno);
-        }
+        if (closed != 0 || ::rename(path_.c_str(), target.c_str()) != 0) fail(wanted_, errno);
         path_.clear();
     }
 
@@ -81,13 +69,9 @@ private:
 /// What a rename has to replace so that a symbolic link stays one.
 fs::path resolve(const fs::path& path) {
     std::error_code absent, error;
-    if (!fs::is_symlink(path, absent)) {
-        return path;
-    }
+    if (!fs::is_symlink(path, absent)) return path;
     fs::path target = fs::weakly_canonical(path, error);
-    if (error) {
-        throw OutputError("cannot write " + path.string() + ": " + error.message());
-    }
+    if (error) throw OutputError("cannot write " + path.string() + ": " + error.message());
     return target;
 }
 
@@ -99,16 +83,13 @@ void check_writable(const fs::path& path) {
     const fs::path target = resolve(path);
     std::error_code error;
     const fs::file_status folder = fs::status(folder_of(target), error);
-    if (!fs::exists(folder)) {
+    if (!fs::exists(folder))
         throw OutputError("cannot write " + path.string() + ": the folder " + folder_of(target).string() + " does not exist");
-    }
-    if (!fs::is_directory(folder)) {
+    if (!fs::is_directory(folder))
         throw OutputError("cannot write " + path.string() + ": " + folder_of(target).string() + " is not a folder");
-    }
     const fs::file_status old = fs::status(target, error);
-    if (fs::exists(old) && !fs::is_regular_file(old)) {
+    if (fs::exists(old) && !fs::is_regular_file(old))
         throw OutputError("cannot write " + path.string() + ": it exists and is not a regular file");
-    }
     TemporaryFile(folder_of(target), path);
 }
 

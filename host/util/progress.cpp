@@ -28,9 +28,7 @@ ProgressDisplay::Style ProgressDisplay::style_for(std::FILE* stream) {
 }
 
 void ProgressDisplay::update(const std::string& stage, double fraction) {
-    if (style_ == Style::none) {
-        return;
-    }
+    if (style_ == Style::none) return;
     fraction = std::isfinite(fraction) ? std::clamp(fraction, 0.0, 1.0) : fraction_;
     const Clock::time_point now = Clock::now();
     const bool new_stage = stage != stage_;
@@ -40,22 +38,20 @@ void ProgressDisplay::update(const std::string& stage, double fraction) {
     }
     fraction_ = fraction;
     stage_ = stage;
-    if (style_ == Style::lines) {
+    if (style_ == Style::lines)
         print_line(stage, fraction, now);
-    } else if (new_stage || now - shown_ >= redraw_interval) {
+    else if (new_stage || now - shown_ >= redraw_interval)
         draw(stage, fraction, now);
-    }
 }
 
 void ProgressDisplay::print_line(const std::string& stage, double fraction, Clock::time_point now) {
     const bool first_time = seen_.insert(stage).second;
-    if (first_time) {
+    if (first_time)
         std::fprintf(stream_, "pencil: %s\n", stage.c_str());
-    } else if (now - shown_ >= line_interval) {
+    else if (now - shown_ >= line_interval)
         std::fprintf(stream_, "pencil: %s, %.0f %%\n", stage.c_str(), 100 * fraction);
-    } else {
+    else
         return;
-    }
     std::fflush(stream_);
     shown_ = now;
 }
@@ -66,9 +62,7 @@ void ProgressDisplay::draw(const std::string& stage, double fraction, Clock::tim
     const double elapsed = seconds_between(start_, now);
     const double done = fraction - first_fraction_;
     std::string remaining = "?";
-    if (elapsed > earliest_guess && done > 0) {
-        remaining = format_duration(elapsed * (1 - fraction) / done);
-    }
+    if (elapsed > earliest_guess && done > 0) remaining = format_duration(elapsed * (1 - fraction) / done);
     std::fprintf(stream_, "\r\033[K[%s] %3.0f %%  %s left  %s", bar.c_str(), 100 * fraction, remaining.c_str(), stage.c_str());
     std::fflush(stream_);
     shown_ = now;
@@ -87,11 +81,10 @@ std::string format_duration(double seconds) {
     const double longest = 359999;  // 99:59:59
     const int total = static_cast<int>(std::lround(std::clamp(seconds, 0.0, longest)));
     char text[32];
-    if (total >= 3600) {
+    if (total >= 3600)
         std::snprintf(text, sizeof(text), "%d:%02d:%02d", total / 3600, total / 60 % 60, total % 60);
-    } else {
+    else
         std::snprintf(text, sizeof(text), "%d:%02d", total / 60, total % 60);
-    }
     return text;
 }
 

@@ -62,8 +62,8 @@ static inline void packet_meet_triangle(RayPacket *r, global const Triangle *t, 
 
 /// Follows the rays through the whole scene but for the plane `own` that they start on (-1: on none), and for planes within `tolerance` of
 /// the origin; 0: planes stop rays however near they are.
-static inline void packet_trace(RayPacket *r, float4 origin, int own, float tolerance, global const BvhNode *nodes, global const int *leaves,
-                         global const Triangle *triangles, global const float4 *planes) {
+static inline void packet_trace(RayPacket *r, float4 origin, int own, float tolerance, global const BvhNode *nodes,
+                                global const int *leaves, global const Triangle *triangles, global const float4 *planes) {
     int stack[BVH_MOST_LEVELS + 1];
     int depth = 0;
     stack[depth++] = 0;

@@ -3,7 +3,7 @@
 #include "lib/packet.cl"
 
 #define PCG_HASH(type, name)                                                 \
-    static inline type name(type v) {                                               \
+    static inline type name(type v) {                                        \
         type state = v * 747796405u + 2891336453u;                           \
         type word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u; \
         return (word >> 22u) ^ word;                                         \

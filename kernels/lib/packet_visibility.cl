@@ -67,8 +67,8 @@ static inline int packet_crosses(const SurfelPacket *s, const VisibilityMap *map
 
 /// Those of `lanes` that are seen past `group`, the triangles about the footprint of each of them; `inner`: for each triangle, lanes whose
 /// footprint itself shows it.
-static inline int seen_past_group(const SurfelPacket *s, const VisibilityMap *map, const Footprint *f, int tile, float4 cop, const int *group,
-                           const int *inner, int lanes) {
+static inline int seen_past_group(const SurfelPacket *s, const VisibilityMap *map, const Footprint *f, int tile, float4 cop,
+                                  const int *group, const int *inner, int lanes) {
     int shown = 0;
     for (int g = 0; g < MOST_GROUPS && group[g] >= 0 && lanes; ++g) {
         int own = lanes & PACKET_BITS(PACKET_MASK(s->plane == map->triangles[group[g]].plane));
@@ -151,7 +151,7 @@ static inline int settle_by_triangles(const SurfelPacket *s, const VisibilityMap
 /// Those of `open`, lanes which their cells (first, second) do not show, that are seen nevertheless. Lanes with the same blocking plane are
 /// settled at once; what lies behind the other plane of a pair, or sees three planes, is left to the triangles.
 static inline int settle_by_planes(const SurfelPacket *s, const VisibilityMap *map, const Footprint *f, int tile, float4 cop, vint first,
-                            vint second, int open) {
+                                   vint second, int open) {
     vint pair = CELL_PAIR(second);
     vint filled = PACKET_MASK(first == second) & PACKET_MASK(first >= 0);
     vint blocker = select((vint)(CELL_MIXED), first, filled | PACKET_MASK(pair == s->plane));

@@ -41,7 +41,7 @@ static inline int block_reaches(global const float *block, float3 x, float3 n, v
 }
 
 static inline PencilLinks nearest_pencils(global const SurfacePencil *pencils, PencilGrid grid, global const int *starts,
-                                   global const float *entries, float3 x, float3 n) {
+                                          global const float *entries, float3 x, float3 n) {
     PencilLinks links = {{-1, -1, -1, -1}, {0.0f, 0.0f, 0.0f, 0.0f}};
     int3 cell = convert_int3((x - grid.low.xyz) * grid.low.w);
     cell = clamp(cell, (int3)(0), (int3)(grid.size_x - 1, grid.size_y - 1, grid.size_z - 1));

@@ -35,7 +35,7 @@ static inline RasterTriangle raster_setup(float4 p0, float4 p1, float4 p2, float
 /// Draws texels first..last of one row: u of texel x is u0 + x * du. `row` points at texel 0. What has a larger disparity than `nearest` is
 /// not there (INFINITY: all is). Larger disparity wins; at equal disparity the lower triangle index (documented tie).
 static inline void raster_row(const RasterTriangle *t, int triangle, float u0, float du, float v, int first, int last, float nearest,
-                       global Hit *row) {
+                              global Hit *row) {
     float4 base = t->b * v + t->c;
     for (int x = first; x <= last; x += PENCIL_WIDTH) {
         vint lane = x + PACKET_LANES;

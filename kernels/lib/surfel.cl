@@ -22,8 +22,8 @@ static inline float3 seen_from(float3 n, float3 towards) {
 
 /// Writes surfel `i` of a buffer of `capacity` surfels: what the ray from `cop` along `direction` meets at 1 / hit.disparity.
 static inline void write_surfel(global float *surfels, int capacity, int i, Hit hit, float4 cop, float4 direction,
-                         global const Triangle *triangles, global const float4 *planes, global const Material *materials,
-                         global const float4 *normals) {
+                                global const Triangle *triangles, global const float4 *planes, global const Material *materials,
+                                global const float4 *normals) {
     global float *s = surfels + i;
     if (hit.triangle < 0) {
         for (int f = 0; f < SURFEL_FIELDS_WITH(PENCIL_OUTGOING); ++f) s[(size_t)f * capacity] = 0.0f;

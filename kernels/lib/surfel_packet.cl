@@ -57,8 +57,8 @@ static inline void store_rgb(global float *rgb_buffer, int capacity, int first, 
 }
 
 /// Scatters irradiance (operator K): radiance that the surfels reflect [W m^-2 sr^-1] to rgb_buffer[3][capacity], as store_rgb.
-static inline void scatter_irradiance(global const float *surfels, int capacity, int first, vfloat r, vfloat g, vfloat b, global float *rgb_buffer,
-                               int accumulate) {
+static inline void scatter_irradiance(global const float *surfels, int capacity, int first, vfloat r, vfloat g, vfloat b,
+                                      global float *rgb_buffer, int accumulate) {
     global const float *s = surfels + first;
     r = brdf_reflect_packet(PACKET_LOAD(s + (size_t)SURFEL_ALBEDO_R * capacity), r);
     g = brdf_reflect_packet(PACKET_LOAD(s + (size_t)SURFEL_ALBEDO_G * capacity), g);

@@ -19,7 +19,9 @@ static inline float4 edge_normal(float4 p, float4 q) {
 }
 
 /// Signed distance of a point from a plane along the plane's normal, negated: positive in front of nothing but "ahead of" the point.
-static inline float plane_ahead(float4 plane, float4 point) { return plane.w - fma(plane.x, point.x, fma(plane.y, point.y, plane.z * point.z)); }
+static inline float plane_ahead(float4 plane, float4 point) {
+    return plane.w - fma(plane.x, point.x, fma(plane.y, point.y, plane.z * point.z));
+}
 
 /// True if the line from `origin` along `direction` passes through the triangle or its border; `side` is the sign of plane_ahead(origin).
 static inline bool line_meets_triangle(global const Triangle *t, float4 origin, float4 direction, float side) {

@@ -58,7 +58,8 @@ static inline float hiding_weight(const VisibilityMap *map, int tile, int2 corne
 
 /// Rules 1 to 3 by the texels themselves, for a footprint with more groups of triangles about it than are stored. `corner` is its first
 /// texel (-1: gutter) in `tile`, (fx, fy) its bilinear weights.
-static inline bool crowded_footprint_visible(const VisibilityMap *map, int tile, int2 corner, float fx, float fy, float4 cop, float4 x, int own) {
+static inline bool crowded_footprint_visible(const VisibilityMap *map, int tile, int2 corner, float fx, float fy, float4 cop, float4 x,
+                                             int own) {
     bool shown = false;
     for (int k = 0; k < AROUND_TEXELS; ++k) {
         int2 texel = oct_texel_around(corner, k, map->n);

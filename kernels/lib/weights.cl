@@ -1,7 +1,7 @@
 // What project_pencils adds: the form of quadrature weights that the render has. The other form is not compiled.
 
-#include "lib/projection.cl"
 #include "lib/footprint.cl"
+#include "lib/projection.cl"
 #include "shared/weights.h"
 
 #if PENCIL_WEIGHTS == PENCIL_WEIGHTS_VORONOI

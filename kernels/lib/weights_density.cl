@@ -8,8 +8,9 @@
 #include "lib/visibility.cl"
 
 /// Adds every pencil that the block sees with the weight cos/D.
-static inline void sum_pencils(const SurfelPacket *packets, const VisibilityMap *map, global const float4 *radiance, global const float4 *cops,
-                        int pencil_count, global const float4 *directions, int tiles, ProjectionSums *sums) {
+static inline void sum_pencils(const SurfelPacket *packets, const VisibilityMap *map, global const float4 *radiance,
+                               global const float4 *cops, int pencil_count, global const float4 *directions, int tiles,
+                               ProjectionSums *sums) {
     (void)directions;
     (void)tiles;
     for (int i = 0; i < pencil_count; ++i) {

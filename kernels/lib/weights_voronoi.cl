@@ -98,7 +98,7 @@ static inline void offer_pencil(const CellDirections *directions, vfloat x, vflo
 
 /// Offers the pencils `first` to `last` to the cells of a block.
 static inline void offer_chunk(const SurfelPacket *packets, const VisibilityMap *map, global const float4 *cops, int first, int last,
-                        const CellDirections *directions, Cells *cells, ProjectionSums *sums) {
+                               const CellDirections *directions, Cells *cells, ProjectionSums *sums) {
     int lanes[CELL_CHUNK][PENCIL_BLOCK];
     vfloat x, y, z;
     for (int i = first; i < last; ++i) {
@@ -126,8 +126,9 @@ static inline void offer_chunk(const SurfelPacket *packets, const VisibilityMap 
 }
 
 /// Adds the pencils `first` to `last` with the number of directions that they are nearest to.
-static inline void add_chunk(const SurfelPacket *packets, const VisibilityMap *map, global const float4 *radiance, global const float4 *cops,
-                      int first, int last, const CellDirections *directions, const Cells *cells, ProjectionSums *sums) {
+static inline void add_chunk(const SurfelPacket *packets, const VisibilityMap *map, global const float4 *radiance,
+                             global const float4 *cops, int first, int last, const CellDirections *directions, const Cells *cells,
+                             ProjectionSums *sums) {
     const int samples = directions->tiles * PENCIL_CELL_TILE, numbers = directions->numbers;
     ushort won[CELL_CHUNK * PENCIL_BLOCK * PENCIL_WIDTH];  // [pencil][packet][lane]
     for (int k = 0; k < CELL_CHUNK * PENCIL_BLOCK * PENCIL_WIDTH; ++k) won[k] = 0;
@@ -157,8 +158,9 @@ static inline void add_chunk(const SurfelPacket *packets, const VisibilityMap *m
 }
 
 /// Adds every pencil that the block sees with the number of directions in its cell. `tiles`: of the table of directions.
-static inline void sum_pencils(const SurfelPacket *packets, const VisibilityMap *map, global const float4 *radiance, global const float4 *cops,
-                        int pencil_count, global const float4 *directions, int tiles, ProjectionSums *sums) {
+static inline void sum_pencils(const SurfelPacket *packets, const VisibilityMap *map, global const float4 *radiance,
+                               global const float4 *cops, int pencil_count, global const float4 *directions, int tiles,
+                               ProjectionSums *sums) {
     Cells cells[PENCIL_BLOCK];
     int numbers = (int)(0xffffffffu >> clz(pencil_count));  // all ones is no pencil's number
     CellDirections table = {directions, directions + tiles, tiles, numbers};

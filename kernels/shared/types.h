@@ -19,10 +19,10 @@ struct DeviceType {
 };
 }  // namespace pencil
 
-#define PENCIL_DEVICE_TYPE(type, text)              \
-    template <>                                     \
-    struct DeviceType<type> {                       \
-        static constexpr const char* name = text;   \
+#define PENCIL_DEVICE_TYPE(type, text)            \
+    template <>                                   \
+    struct DeviceType<type> {                     \
+        static constexpr const char* name = text; \
     };
 #define PENCIL_SHARED_TYPE(type) PENCIL_DEVICE_TYPE(type, #type)
 #define PENCIL_SHARED_BEGIN namespace pencil {

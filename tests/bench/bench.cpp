@@ -110,7 +110,8 @@ std::string differences(const std::vector<float>& got, const std::vector<float>&
 }
 
 std::string differences(const std::vector<int>& got, const std::vector<int>& expected, double allowed) {
-    return count_differences(got, expected, allowed, [](int a, int b) { return a == b; });
+    return count_differences(
+        got, expected, allowed, [](int a, int b) { return a == b; });
 }
 
 }  // namespace pencil::bench

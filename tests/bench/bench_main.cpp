@@ -12,17 +12,15 @@ namespace {
 /// Takes our own options out of argv.
 int take_options(int argc, char** argv) {
     int kept = 1;
-    for (int i = 1; i < argc; ++i) {
-        if (std::strcmp(argv[i], "--tiny") == 0) {
+    for (int i = 1; i < argc; ++i)
+        if (std::strcmp(argv[i], "--tiny") == 0)
             pencil::bench::use_tiny_sizes();
-        } else if (std::strcmp(argv[i], "--device") == 0 && i + 1 < argc) {
+        else if (std::strcmp(argv[i], "--device") == 0 && i + 1 < argc)
             pencil::bench::select_device(argv[++i]);
-        } else if (std::strncmp(argv[i], "--device=", 9) == 0) {
+        else if (std::strncmp(argv[i], "--device=", 9) == 0)
             pencil::bench::select_device(argv[i] + 9);
-        } else {
+        else
             argv[kept++] = argv[i];
-        }
-    }
     return kept;
 }
 

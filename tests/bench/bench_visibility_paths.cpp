@@ -8,10 +8,10 @@
 #include "pencils/light_samples.h"
 #include "pencils/place_pencils.h"
 #include "scene/formats/load_scene.h"
+#include "util/stopwatch.h"
 #include "visibility/rasterize_clusters.h"
 #include "visibility/rasterize_octahedral.h"
 #include "visibility/trace_octahedral.h"
-#include "util/stopwatch.h"
 
 namespace pencil::bench {
 namespace {

@@ -1,10 +1,10 @@
 #include "bench/workbench.h"
 
-#include "pencils/light_samples.h"
-#include "scene/formats/load_scene.h"
 #include "line/free_space.h"
 #include "line/gather_surfels.h"
 #include "line/pencil_solver.h"
+#include "pencils/light_samples.h"
+#include "scene/formats/load_scene.h"
 #include "visibility/rasterize_octahedral.h"
 
 namespace pencil::bench {

@@ -6,12 +6,12 @@
 
 #include "bench/bench.h"
 #include "bench/native/native.h"
-#include "scene/scene.h"
 #include "device/device_scene.h"
 #include "device/features.h"
-#include "film/film.h"
 #include "device/pencil_set.h"
 #include "device/surfels.h"
+#include "film/film.h"
+#include "scene/scene.h"
 
 namespace pencil::bench {
 

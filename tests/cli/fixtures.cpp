@@ -16,9 +16,7 @@ namespace fs = std::filesystem;
 
 Folder::Folder() {
     std::string name = (fs::temp_directory_path() / "pencil-test-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) {
-        throw std::runtime_error("mkdtemp failed");
-    }
+    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("mkdtemp failed");
     path_ = name;
 }
 
@@ -34,9 +32,7 @@ std::string Folder::write(const std::string& name, const std::string& text) cons
 
 std::vector<std::string> Folder::names() const {
     std::vector<std::string> names;
-    for (const fs::directory_entry& entry : fs::directory_iterator(path_)) {
-        names.push_back(entry.path().filename().string());
-    }
+    for (const fs::directory_entry& entry : fs::directory_iterator(path_)) names.push_back(entry.path().filename().string());
     std::sort(names.begin(), names.end());
     return names;
 }
@@ -90,9 +86,7 @@ double largest_difference(const fs::path& a, const fs::path& b) {
     const RunResult result = run({"oiiotool", "--fail", "1e-30", "--diff", a.string(), b.string()});
     const std::string key = "Max error  = ";
     const std::size_t found = result.out.find(key);
-    if (found == std::string::npos) {
-        return result.out.find("PASS") != std::string::npos ? 0 : -1;
-    }
+    if (found == std::string::npos) return result.out.find("PASS") != std::string::npos ? 0 : -1;
     return std::strtod(result.out.c_str() + found + key.size(), nullptr);
 }
 

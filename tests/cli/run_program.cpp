@@ -18,30 +18,22 @@ namespace {
 struct Pipe {
     std::array<int, 2> ends{-1, -1};
     Pipe() {
-        if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
-            throw std::runtime_error("pipe failed");
-        }
+        if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error("pipe failed");
     }
 };
 
 [[noreturn]] void become(const std::vector<std::string>& command, const RunOptions& options, int out, int err) {
-    for (const auto& [name, value] : options.environment) {
-        ::setenv(name.c_str(), value.c_str(), 1);
-    }
+    for (const auto& [name, value] : options.environment) ::setenv(name.c_str(), value.c_str(), 1);
     if (options.largest_file > 0) {
         const struct rlimit limit { static_cast<rlim_t>(options.largest_file), static_cast<rlim_t>(options.largest_file) };
         ::setrlimit(RLIMIT_FSIZE, &limit);
     }
-    if (!options.output.empty()) {
-        out = ::open(options.output.c_str(), O_WRONLY);
-    }
+    if (!options.output.empty()) out = ::open(options.output.c_str(), O_WRONLY);
     ::dup2(::open("/dev/null", O_RDONLY), STDIN_FILENO);
     ::dup2(out, STDOUT_FILENO);
     ::dup2(err, STDERR_FILENO);
     std::vector<char*> arguments;
-    for (const std::string& argument : command) {
-        arguments.push_back(const_cast<char*>(argument.c_str()));
-    }
+    for (const std::string& argument : command) arguments.push_back(const_cast<char*>(argument.c_str()));
     arguments.push_back(nullptr);
     ::execvp(arguments.front(), arguments.data());
     ::_exit(127);
@@ -51,9 +43,7 @@ struct Pipe {
 bool append(int descriptor, std::string& text) {
     std::array<char, 4096> buffer;
     const ::ssize_t count = ::read(descriptor, buffer.data(), buffer.size());
-    if (count > 0) {
-        text.append(buffer.data(), static_cast<std::size_t>(count));
-    }
+    if (count > 0) text.append(buffer.data(), static_cast<std::size_t>(count));
     return count > 0;
 }
 
@@ -69,12 +59,8 @@ void close_if_open(int& descriptor) {
 Child::Child(const std::vector<std::string>& command, const RunOptions& options) {
     const Pipe out, err;
     pid_ = ::fork();
-    if (pid_ < 0) {
-        throw std::runtime_error("fork failed");
-    }
-    if (pid_ == 0) {
-        become(command, options, out.ends[1], err.ends[1]);
-    }
+    if (pid_ < 0) throw std::runtime_error("fork failed");
+    if (pid_ == 0) become(command, options, out.ends[1], err.ends[1]);
     ::close(out.ends[1]);
     ::close(err.ends[1]);
     out_ = out.ends[0];
@@ -94,25 +80,16 @@ void Child::send(int signal) { ::kill(pid_, signal); }
 
 bool Child::read_some(int timeout_ms) {
     std::array<struct pollfd, 2> streams{{{out_, POLLIN, 0}, {err_, POLLIN, 0}}};  // poll skips negative ones
-    if (out_ < 0 && err_ < 0) {
-        return false;
-    }
-    if (::poll(streams.data(), streams.size(), timeout_ms) <= 0) {
-        return true;
-    }
-    if (streams[0].revents != 0 && !append(out_, result_.out)) {
-        close_if_open(out_);
-    }
-    if (streams[1].revents != 0 && !append(err_, result_.err)) {
-        close_if_open(err_);
-    }
+    if (out_ < 0 && err_ < 0) return false;
+    if (::poll(streams.data(), streams.size(), timeout_ms) <= 0) return true;
+    if (streams[0].revents != 0 && !append(out_, result_.out)) close_if_open(out_);
+    if (streams[1].revents != 0 && !append(err_, result_.err)) close_if_open(err_);
     return true;
 }
 
 bool Child::wait_for_error_text(const std::string& text) {
-    while (result_.err.find(text) == std::string::npos) {
+    while (result_.err.find(text) == std::string::npos)
         if (!read_some(1000)) return false;
-    }
     return true;
 }
 

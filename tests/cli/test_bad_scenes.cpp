@@ -67,9 +67,8 @@ TEST(Info, ListsWhatTheSceneHolds) {
     const RunResult result = run_pencil({"info", folder.write("room.xml", small_scene()), "-D", "depth=5"});
     EXPECT_EQ(result.code, 0) << result.err;
     for (const char* text : {"triangles  6", "shapes     3", "floor", "lamp", "1 area, 0 point", "24x16", "max_depth  5", "bounds",
-                             "needed    area emitters", "left out  point lights"}) {
+                             "needed    area emitters", "left out  point lights"})
         EXPECT_NE(result.out.find(text), std::string::npos) << text << "\n" << result.out;
-    }
 }
 
 }  // namespace

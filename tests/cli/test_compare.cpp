@@ -57,9 +57,8 @@ TEST_F(Compare, TableNamesEveryMetric) {
     const std::string a = constant("a.exr", "1.1,1.1,1.1"), b = constant("b.exr", "1,1,1");
     result = run_pencil({"compare", a, b});
     EXPECT_EQ(result.code, 0) << result.err;
-    for (const char* word : {"RMSE", "relMSE", "mean ratio", "PSNR", "L*a*b*", "beauty", "8x6", "1.1000", "20.00"}) {
+    for (const char* word : {"RMSE", "relMSE", "mean ratio", "PSNR", "L*a*b*", "beauty", "8x6", "1.1000", "20.00"})
         EXPECT_NE(result.out.find(word), std::string::npos) << word << "\n" << result.out;
-    }
 }
 
 TEST_F(Compare, LayersOfRenders) {
@@ -77,9 +76,7 @@ TEST_F(Compare, LayersOfRenders) {
     EXPECT_TRUE(json["warnings"].empty()) << json["warnings"];
     EXPECT_EQ(json["only_in_reference"], Json::array({"bounce3"}));
     std::map<std::string, Json> layers;
-    for (const Json& layer : json["layers"]) {
-        layers[layer["name"]] = layer;
-    }
+    for (const Json& layer : json["layers"]) layers[layer["name"]] = layer;
     EXPECT_EQ(layers.at("direct")["rmse"], 0) << "direct light does not go through pencils";
     EXPECT_GT(layers.at("bounce2")["rmse"], 0);
     EXPECT_GT(layers.at("beauty")["lab_rms"], 0);
@@ -123,11 +120,8 @@ TEST_F(Compare, TailsOfRenderAndReference) {
     ASSERT_EQ(run_pencil({"reference", scene, "--quiet", "--spp", "64", "--resolution", size, "-D", bright, "-o", truth}).code, 0);
     const Json json = compare({image, truth});
     const auto tail_of = [](const Json& names) {
-        for (const std::string name : names) {
-            if (name.rfind("tail", 0) == 0) {
-                return name;
-            }
-        }
+        for (const std::string name : names)
+            if (name.rfind("tail", 0) == 0) return name;
         return std::string();
     };
     const std::string ours = tail_of(json["only_in_image"]);

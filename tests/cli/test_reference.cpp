@@ -31,14 +31,12 @@ TEST_F(Reference, HasAllLayersAndTellsHowItWasMade) {
     for (const char* text :
          {"24 x   16", "float openexr", "R, G, B,", "emission.R", "direct.R, direct.G, direct.B", "bounce2.R", "albedo.G",
           "normal.X, normal.Y, normal.Z", "depth.Z", "position.X", "variance.R", "pencil:version", "pencil:method: \"path tracing\"",
-          "pencil:scene: \"room.xml\"", "pencil:spp: 32", "pencil:maxDepth: \"auto\"", "pencil:seed: \"7\""}) {
+          "pencil:scene: \"room.xml\"", "pencil:spp: 32", "pencil:maxDepth: \"auto\"", "pencil:seed: \"7\""})
         EXPECT_NE(info.find(text), std::string::npos) << text << "\n" << info;
-    }
     EXPECT_EQ(info.find("Seconds"), std::string::npos) << "times only with --stats";
     EXPECT_NE(image_info(file("a.png")).find("3 channel, uint8 png"), std::string::npos);
-    for (const char* text : {"paths    12288, ", "rays     ", " million/s", "32 paths per pixel", "wrote"}) {
+    for (const char* text : {"paths    12288, ", "rays     ", " million/s", "32 paths per pixel", "wrote"})
         EXPECT_NE(result.out.find(text), std::string::npos) << text << "\n" << result.out;
-    }
 }
 
 TEST_F(Reference, TwoRunsGiveTheSameBytes) {
@@ -156,10 +154,9 @@ INSTANTIATE_TEST_SUITE_P(Signals, InterruptReference, testing::Values(SIGINT, SI
 TEST_F(Reference, HelpNamesItsOptions) {
     const RunResult help = run_pencil({"reference", "--help"});
     EXPECT_EQ(help.code, 0);
-    for (const char* word : {"--output", "--spp", "--time", "--max-depth", "--seed", "--resolution", "--aov", "--define", "--stats",
-                             "--quiet", "Exit status"}) {
+    for (const char* word :
+         {"--output", "--spp", "--time", "--max-depth", "--seed", "--resolution", "--aov", "--define", "--stats", "--quiet", "Exit status"})
         EXPECT_NE(help.out.find(word), std::string::npos) << word;
-    }
 }
 
 }  // namespace

@@ -32,14 +32,12 @@ TEST_F(Render, HasAllLayersAndTellsHowItWasMade) {
     for (const char* text :
          {"24 x   16", "float openexr", "R, G, B,", "emission.R", "direct.R, direct.G, direct.B", "bounce2.R", "albedo.G",
           "normal.X, normal.Y, normal.Z", "depth.Z", "position.X", "pencil:version", "pencil:scene: \"room.xml\"", "pencil:device",
-          "pencil:driver", "pencil:pencils: 16", "pencil:seed: \"18446744073709551615\""}) {
+          "pencil:driver", "pencil:pencils: 16", "pencil:seed: \"18446744073709551615\""})
         EXPECT_NE(info.find(text), std::string::npos) << text << "\n" << info;
-    }
     EXPECT_EQ(info.find(folder.path().filename().string() + "\""), std::string::npos) << "the header holds no path";
     EXPECT_NE(image_info(file("a.png")).find("3 channel, uint8 png"), std::string::npos);
-    for (const char* text : {"stage", "total", "device", "memory", "wrote"}) {
+    for (const char* text : {"stage", "total", "device", "memory", "wrote"})
         EXPECT_NE(result.out.find(text), std::string::npos) << text << "\n" << result.out;
-    }
 }
 
 TEST_F(Render, TwoRunsGiveTheSameBytesWhateverTheNames) {
@@ -83,16 +81,11 @@ TEST_F(Render, StatisticsFollowTheirSchema) {
     EXPECT_EQ(stats.at("schema"), 1);
     EXPECT_EQ(stats.at("options").at("pencils"), 16);
     EXPECT_EQ(stats.at("options").at("resolution"), nlohmann::json({24, 16}));
-    for (const char* key : {"version", "scene", "driver"}) {
-        EXPECT_TRUE(stats.at(key).is_string()) << key;
-    }
+    for (const char* key : {"version", "scene", "driver"}) EXPECT_TRUE(stats.at(key).is_string()) << key;
     for (const char* key : {"kernel_build_seconds", "total_wall_seconds", "residual", "film_surfels", "blind_surfels", "peak_rss_bytes",
-                            "device_peak_bytes", "triangles"}) {
+                            "device_peak_bytes", "triangles"})
         EXPECT_TRUE(stats.at(key).is_number()) << key;
-    }
-    for (const char* key : {"stages", "bounces", "explain", "warnings", "layers"}) {
-        EXPECT_TRUE(stats.at(key).is_array()) << key;
-    }
+    for (const char* key : {"stages", "bounces", "explain", "warnings", "layers"}) EXPECT_TRUE(stats.at(key).is_array()) << key;
     ASSERT_FALSE(stats.at("stages").empty());
     double sum = 0;
     for (const nlohmann::json& stage : stats.at("stages")) {

@@ -68,16 +68,14 @@ TEST(Usage, AnOptionGivenTwiceIsRefused) {
 TEST(Usage, HelpNamesEveryCommandAndOption) {
     const RunResult general = run_pencil({"--help"});
     EXPECT_EQ(general.code, 0);
-    for (const char* word : {"render", "reference", "compare", "converge", "info", "devices", "--version", "Exit status"}) {
+    for (const char* word : {"render", "reference", "compare", "converge", "info", "devices", "--version", "Exit status"})
         EXPECT_NE(general.out.find(word), std::string::npos) << word;
-    }
     const RunResult render = run_pencil({"render", "--help"});
     EXPECT_EQ(render.code, 0);
     for (const char* word : {"--output",    "--pencils", "--decay",   "--bounces",   "--map",        "--light-samples", "--initial",
                              "--placement", "--weights", "--iterate", "--tolerance", "--resolution", "--seed",          "--device",
-                             "--aov",       "--define",  "--stats",   "--explain",   "--quiet",      "--film-samples"}) {
+                             "--aov",       "--define",  "--stats",   "--explain",   "--quiet",      "--film-samples"})
         EXPECT_NE(render.out.find(word), std::string::npos) << word;
-    }
     EXPECT_TRUE(render.err.empty()) << render.err;
 }
 

@@ -8,16 +8,16 @@
 #include <string>
 #include <vector>
 
+#include "device/device_scene.h"
+#include "device/features.h"
+#include "device/pencil_set.h"
+#include "device/surfels.h"
+#include "line/gather_surfels.h"
+#include "line/weights.h"
 #include "reference/octahedral_ref.h"
 #include "reference/random.h"
 #include "reference/raycast_ref.h"
-#include "device/device_scene.h"
-#include "device/features.h"
-#include "line/gather_surfels.h"
-#include "device/pencil_set.h"
 #include "visibility/rasterize_octahedral.h"
-#include "device/surfels.h"
-#include "line/weights.h"
 
 namespace pencil::test {
 

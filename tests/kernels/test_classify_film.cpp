@@ -1,10 +1,10 @@
 // Grouping of visibility samples into surfels, and the surfels themselves: every sample that shows something has a surfel of its own shape,
 // surfels lie on a sample's hit, and flat scenes have one surfel per plane and pixel.
+#include "film/rasterize_film.h"
 #include "kernels/film_test.h"
 #include "pencils/film_filter.h"
 #include "reference/tolerances.h"
 #include "shared/film.h"
-#include "film/rasterize_film.h"
 
 namespace {
 
@@ -82,9 +82,8 @@ void check(const TestScene& scene, const TestCamera& view, int samples) {
         for (int slot = 0; slot < count; ++slot) {
             ASSERT_GT(members[static_cast<std::size_t>(slot)], 0) << "surfel " << slot << " of " << count << " has no sample";
             ASSERT_GT(at_sample[static_cast<std::size_t>(slot)], 0) << "surfel " << slot << " lies on none of its samples";
-            for (int other = 0; other < slot; ++other) {
+            for (int other = 0; other < slot; ++other)
                 ASSERT_NE(c.surfels.plane(c.first[pixel] + slot), c.surfels.plane(c.first[pixel] + other)) << "one plane, two surfels";
-            }
         }
     }
 }

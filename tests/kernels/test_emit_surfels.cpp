@@ -1,6 +1,6 @@
 // Emission reaches surfels seen from the front of an emitter and no others; with `carried_only` just those whose light the maps carry.
-#include "kernels/kernel_test.h"
 #include "film/emit_surfels.h"
+#include "kernels/kernel_test.h"
 
 namespace {
 

@@ -1,9 +1,9 @@
 // 1/D of every texel against thesis eq. (5.32) with the kernel's own visibility masks (they have their own test).
 #include "kernels/kernel_test.h"
-#include "reference/density_ref.h"
-#include "reference/tolerances.h"
 #include "line/estimate_density.h"
 #include "line/test_visibility.h"
+#include "reference/density_ref.h"
+#include "reference/tolerances.h"
 
 namespace {
 

@@ -1,10 +1,10 @@
 // Direct light against thesis alg. 6.2: in an empty box against the whole truth, among occluders with the visibility that the maps give.
+#include "film/light_surfels.h"
 #include "kernels/light_test.h"
+#include "line/test_visibility.h"
 #include "reference/direct_ref.h"
 #include "reference/tolerances.h"
 #include "reference/transport_ref.h"
-#include "film/light_surfels.h"
-#include "line/test_visibility.h"
 
 namespace {
 
@@ -63,11 +63,10 @@ TEST(LightSurfels, AmongOccludersWithTheMapsVisibility) {
                 const uint word = lit.mask[static_cast<std::size_t>(s / 32) * lit.surfels.capacity + static_cast<std::size_t>(i)];
                 const dvec3 one =
                     ref::sample_irradiance(samples[static_cast<std::size_t>(s)], lit.surfels.position(i), lit.surfels.normal(i));
-                if ((word >> (s % 32) & 1U) != 0U) {
+                if ((word >> (s % 32) & 1U) != 0U)
                     e += one;
-                } else {
+                else
                     hidden += one.x > 0.0 ? 1 : 0;
-                }
             }
             const dvec3 expected = dvec3(0.5) + ref::scattered_radiance(lit.surfels.albedo(i), e);
             expect_close(rgb_at(lit.outgoing, lit.surfels.capacity, i), expected, tolerance::accumulation, "surfel " + std::to_string(i));

@@ -69,9 +69,8 @@ TEST_P(Octahedral, TexelDirectionFoldAndAntipode) {
 std::vector<dvec3> awkward_directions() {
     Random random(7);
     std::vector<dvec3> out;
-    for (int code = 0; code < 27; ++code) {
+    for (int code = 0; code < 27; ++code)
         if (code != 13) out.emplace_back(code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1);
-    }
     for (const double zero : {0.0, -0.0, 1e-30, -1e-30, 1e-8, -1e-8}) {
         for (int i = 0; i < 20; ++i) {
             out.emplace_back(zero, random.uniform(-1, 1), -random.uniform());
@@ -88,9 +87,8 @@ TEST_P(Octahedral, FootprintIsTheBilinearPosition) {
     const int n = GetParam(), stride = n + 2;
     const std::vector<dvec3> directions = awkward_directions();
     std::vector<float> component[3];
-    for (const dvec3& v : directions) {
+    for (const dvec3& v : directions)
         for (int c = 0; c < 3; ++c) component[c].push_back(static_cast<float>(v[c]));
-    }
     Buffer<float> x(device(), component[0], "x"), y(device(), component[1], "y"), z(device(), component[2], "z");
     Buffer<int> index(device(), directions.size(), "index");
     Buffer<float> fx(device(), directions.size(), "fx"), fy(device(), directions.size(), "fy");

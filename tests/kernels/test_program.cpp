@@ -126,9 +126,11 @@ TEST_F(Program, WrongArgumentsNameTheKernel) {
     expect_contains(error_of([&] { kernel("scale").args(values, 4); }), "kernel scale takes 3 arguments and was given 2");
     expect_contains(error_of([&] { kernel("scale").args(values, 4, 2.0f, 1); }), "kernel scale takes 3 arguments and was given 4");
     expect_contains(error_of([&] { kernel("scale").args(values, 4, 2.0); }), "is a float and was given a double");
-    expect_contains(error_of([&] { kernel("scale").args(Buffer<int>(device, 4, "counts"), 4, 2.0f); }), "argument 0 of kernel scale, \"values\", is a buffer of float and was given a buffer of int");
+    expect_contains(error_of([&] { kernel("scale").args(Buffer<int>(device, 4, "counts"), 4, 2.0f); }),
+                    "argument 0 of kernel scale, \"values\", is a buffer of float and was given a buffer of int");
     expect_contains(error_of([&] { kernel("scale").args(1.0f, 4, 2.0f); }), "is a buffer of float and was given a float");
-    expect_contains(error_of([&] { kernel("scale").args(values, values, 2.0f); }), "argument 1 of kernel scale, \"count\", is a int and was given a buffer of float");
+    expect_contains(error_of([&] { kernel("scale").args(values, values, 2.0f); }),
+                    "argument 1 of kernel scale, \"count\", is a int and was given a buffer of float");
     expect_contains(error_of([&] { kernel("scale").args(values, 2.0f, 4); }), "is a int and was given a float");
     EXPECT_EQ(error_of([&] { kernel("scale").args(std::make_tuple(std::cref(values), 4), 2.0f); }), "") << "a group is its members";
 }

@@ -1,14 +1,14 @@
 // Projection and scattering against thesis eq. (5.23) and alg. 6.3 with every form of weights, from random radiance maps and density
 // weights and the kernel's own visibility masks (they have their own test).
 #include "kernels/kernel_test.h"
-#include "pencils/cell_directions.h"
-#include "reference/tolerances.h"
-#include "reference/transport_ref.h"
-#include "reference/voronoi_ref.h"
 #include "line/project_pencils.h"
 #include "line/store_radiance.h"
 #include "line/test_visibility.h"
 #include "line/weights.h"
+#include "pencils/cell_directions.h"
+#include "reference/tolerances.h"
+#include "reference/transport_ref.h"
+#include "reference/voronoi_ref.h"
 
 namespace {
 

@@ -1,8 +1,8 @@
 // Visibility samples of the film against a brute-force ray cast of every sample: the same truth and the same ties as the octahedral maps.
+#include "film/rasterize_film.h"
 #include "kernels/film_test.h"
 #include "pencils/film_filter.h"
 #include "reference/tolerances.h"
-#include "film/rasterize_film.h"
 
 namespace {
 

@@ -73,10 +73,9 @@ TEST(RasterizeOctahedral, ClosedBoxHasNoHoles) {
         for (int tile = 0; tile < static_cast<int>(centres.size()); ++tile) {
             const auto k = static_cast<std::size_t>(tile);
             compare_tile(scene, xyz(centres[k]), hits, tile, n, c);
-            for (int y = 0; y < n; ++y) {
+            for (int y = 0; y < n; ++y)
                 for (int x = 0; x < n; ++x)
                     ASSERT_GE(hits[atlas_index(tile, x, y, n)].triangle, 0) << "hole at tile " << tile << " texel " << x << " " << y;
-            }
         }
         EXPECT_EQ(c.wrong, 0) << "n " << n << ": " << c.first_wrong;
     }
@@ -126,10 +125,9 @@ TEST(RasterizeOctahedral, MeshWithoutGaps) {
     Comparison c;
     for (int tile = 0; tile < static_cast<int>(centres.size()); ++tile) {
         compare_tile(scene, xyz(centres[static_cast<std::size_t>(tile)]), hits, tile, n, c);
-        for (int y = 0; y < n; ++y) {
+        for (int y = 0; y < n; ++y)
             for (int x = 0; x < n; ++x)
                 ASSERT_GE(hits[atlas_index(tile, x, y, n)].triangle, 0) << "gap at tile " << tile << " texel " << x << " " << y;
-        }
     }
     EXPECT_EQ(c.wrong, 0) << c.first_wrong;
 }

@@ -1,7 +1,7 @@
 // Mean radiance of a pencil set: every interior texel counts once, gutters do not.
 #include "kernels/kernel_test.h"
-#include "reference/tolerances.h"
 #include "line/sum_radiance.h"
+#include "reference/tolerances.h"
 
 namespace {
 

@@ -2,8 +2,8 @@
 // believed exactly; what hides between them a map of n texels may miss, and the tests measure how often: leaks (seen through something) and
 // acne (wrongly hidden).
 #include "kernels/kernel_test.h"
-#include "reference/visibility_ref.h"
 #include "line/test_visibility.h"
+#include "reference/visibility_ref.h"
 
 namespace {
 
@@ -42,9 +42,8 @@ TEST(TestVisibility, InABoxEverythingInFrontIsSeen) {
         for (const int pencils : {1, 31, 33, 70}) {
             const std::vector<float4> centres = random_centres(random, pencils);
             const Masks m = masks(kernels, on_device, gathered(kernels, on_device, random_centres(random, 2), 32, limit), centres, 16);
-            for (int i = 0; i < m.surfels.count; ++i) {
+            for (int i = 0; i < m.surfels.count; ++i)
                 for (int p = 0; p < pencils; ++p) ASSERT_TRUE(m.sees(i, p)) << "surfel " << i << " pencil " << p;
-            }
         }
     }
 }

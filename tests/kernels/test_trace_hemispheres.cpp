@@ -172,7 +172,11 @@ double cosine_error(Kernels& kernels, int sets, Points points_of) {
 
 TEST(TraceHemispheres, TurnsFillTexelsMoreEvenlyThanSeeds) {
     Kernels kernels = make_kernels();
-    const double seeds = cosine_error(kernels, 64, [](uint set) { return TexelPoints{set + 1, 0}; });
+    const double seeds = cosine_error(
+        kernels, 64,
+        [](uint set) {
+            return TexelPoints{set + 1, 0};
+        });
     const double turns = cosine_error(kernels, 64, [](uint set) { return TexelPoints{1, set}; });
     std::printf("mean square error of the mean cosine: 64 seeds %.2e, 64 turns %.2e\n", seeds, turns);
     EXPECT_LT(turns, 0.2 * seeds);

@@ -1,7 +1,7 @@
 // Probing rays meet what brute force in double precision meets, and say where, on which side and with which albedo.
 #include "kernel_test.h"
-#include "reference/tolerances.h"
 #include "line/placement/trace_probing_rays.h"
+#include "reference/tolerances.h"
 
 namespace {
 

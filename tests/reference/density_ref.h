@@ -25,9 +25,8 @@ inline std::vector<double> pencil_density(const std::vector<dvec3>& directions, 
     std::vector<double> density(directions.size(), 0.0);
     for (std::size_t i = 0; i < directions.size(); ++i) {
         if (!visible[i]) continue;
-        for (std::size_t j = 0; j < directions.size(); ++j) {
+        for (std::size_t j = 0; j < directions.size(); ++j)
             if (visible[j]) density[i] += std::pow(std::max(glm::dot(directions[i], directions[j]), 0.0), beta);
-        }
     }
     return density;
 }

@@ -22,9 +22,8 @@ inline double gaussian_filter(double x, double stddev = 0.5, double radius = 2.0
 inline double mitchell_filter(double x, double b = 1.0 / 3.0, double c = 1.0 / 3.0) {
     const double t = std::abs(x);
     if (t < 1.0) return ((12.0 - 9.0 * b - 6.0 * c) * t * t * t + (-18.0 + 12.0 * b + 6.0 * c) * t * t + (6.0 - 2.0 * b)) / 6.0;
-    if (t < 2.0) {
+    if (t < 2.0)
         return ((-b - 6.0 * c) * t * t * t + (6.0 * b + 30.0 * c) * t * t + (-12.0 * b - 48.0 * c) * t + (8.0 * b + 24.0 * c)) / 6.0;
-    }
     return 0.0;
 }
 

@@ -16,9 +16,8 @@ TEST(KnownAnswers, LitWall) {
 }
 
 TEST(KnownAnswers, PolygonsByLambertsFormula) {
-    for (const Luminaire& luminaire : luminaires()) {
+    for (const Luminaire& luminaire : luminaires())
         expect_mean(trace(luminaire_scene(luminaire), 1024), luminaire_answer(luminaire), 5e-3, luminaire.name);
-    }
 }
 
 TEST(KnownAnswers, PointLightOverAPlane) {
@@ -90,9 +89,8 @@ TEST(KnownAnswers, FurnaceLayersArePowersOfTheAlbedo) {
 /// DESIGN of the test: E = flux / (S (1 - albedo)) is the mean over all walls, and here one wall stands for all.
 TEST(KnownAnswers, Cie171Test58) {
     expect_mean(trace(cie_cube(1.0), 256, 2), cie_cube_answer(0.0) / ref::pi, 1e-3, "direct light, as with black walls");
-    for (const double albedo : {0.2, 0.5, 0.8, 0.9, 0.95}) {
+    for (const double albedo : {0.2, 0.5, 0.8, 0.9, 0.95})
         expect_mean(trace(cie_cube(albedo), 256), albedo / ref::pi * cie_cube_answer(albedo), 3e-3, "albedo " + std::to_string(albedo));
-    }
 }
 
 TEST(KnownAnswers, NoLightThroughSheetsAndWalls) {

@@ -60,11 +60,10 @@ inline Scene two_rooms(double thickness, bool lamp_is_area) {
     } else {
         add_quad(scene, "sheet", {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, white_both);
     }
-    if (lamp_is_area) {
+    if (lamp_is_area)
         add_quad(scene, "lamp", {0.3, 0.95, 0.3}, {0.4, 0, 0}, {0, 0, 0.4}, {glm::vec3(0.0F), glm::vec3(10.0F), false});
-    } else {
+    else
         scene.point_lights.push_back({{0.5, 0.9, 0.5}, glm::vec3(10.0F)});
-    }
     look_at(scene, {1.9, 0.5, 0.1}, {1.0, 0.45, 0.9}, {0, 1, 0}, 95.0, 64, 64);
     return scene;
 }

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "scenes/scene_parts.h"
 #include "render/render_session.h"
+#include "scenes/scene_parts.h"
 
 namespace pencil::test {
 

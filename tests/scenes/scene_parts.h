@@ -81,9 +81,8 @@ inline void look_at(Scene& scene, const dvec3& origin, const dvec3& target, cons
 
 inline const Layer& layer(const std::vector<Layer>& layers, const std::string& name) {
     static const Layer missing;
-    for (const Layer& candidate : layers) {
+    for (const Layer& candidate : layers)
         if (candidate.name == name) return candidate;
-    }
     ADD_FAILURE() << "no layer \"" << name << "\"";
     return missing;
 }
@@ -103,9 +102,8 @@ inline void expect_uniform(const Layer& image, double value, double relative) {
         const double e = std::abs(image.pixels[i] - value);
         return std::isfinite(e) ? e : 1e30;
     };
-    for (std::size_t i = 1; i < image.pixels.size(); ++i) {
+    for (std::size_t i = 1; i < image.pixels.size(); ++i)
         if (error(i) > error(worst)) worst = i;
-    }
     EXPECT_LE(error(worst), relative * std::abs(value)) << "layer \"" << image.name << "\", float " << worst << " of "
                                                         << image.pixels.size() << ": " << image.pixels[worst] << " instead of " << value;
 }
@@ -113,9 +111,8 @@ inline void expect_uniform(const Layer& image, double value, double relative) {
 inline void expect_zero(const Layer& image) {
     ASSERT_GT(image.pixels.size(), 0U) << "layer \"" << image.name << "\"";
     std::size_t lit = 0, first = 0;
-    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
         if (image.pixels[i] != 0.0F && lit++ == 0) first = i;
-    }
     EXPECT_EQ(lit, 0U) << "layer \"" << image.name << "\": first at float " << first << ": " << image.pixels[first];
 }
 

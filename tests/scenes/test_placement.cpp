@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <numeric>
 
+#include "film/film.h"
+#include "line/free_space.h"
 #include "pencils/light_samples.h"
 #include "scenes/known_scenes.h"
 #include "scenes/scene_builder.h"
-#include "film/film.h"
-#include "line/free_space.h"
-#include "visibility/rasterize_octahedral.h"
 #include "util/error.h"
+#include "visibility/rasterize_octahedral.h"
 
 namespace {
 

@@ -21,12 +21,13 @@ RenderOptions small_options(MethodName method) {
 }
 
 bool same(const std::vector<Layer>& a, const std::vector<Layer>& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [](const Layer& x, const Layer& y) { return x.name == y.name && x.pixels == y.pixels; });
+    return std::equal(
+        a.begin(), a.end(), b.begin(), b.end(), [](const Layer& x, const Layer& y) { return x.name == y.name && x.pixels == y.pixels; });
 }
 
 bool has(const std::vector<Layer>& layers, const std::string& name) {
-    return std::any_of(layers.begin(), layers.end(), [&](const Layer& layer) { return layer.name == name; });
+    return std::any_of(
+        layers.begin(), layers.end(), [&](const Layer& layer) { return layer.name == name; });
 }
 
 class Session : public testing::TestWithParam<MethodName> {};

@@ -3,10 +3,10 @@
 #include <glm/common.hpp>
 #include <glm/vec4.hpp>
 
-#include "pencils/light_samples.h"
-#include "scene/formats/load_scene.h"
 #include "line/free_space.h"
 #include "line/pencil_solver.h"
+#include "pencils/light_samples.h"
+#include "scene/formats/load_scene.h"
 #include "visibility/rasterize_octahedral.h"
 
 namespace pencil::thesis {

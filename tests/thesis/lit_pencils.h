@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <memory>
 
+#include "device/pencil_set.h"
+#include "film/film.h"
 #include "reference/map_ref.h"
 #include "scene/scene.h"
-#include "film/film.h"
-#include "device/pencil_set.h"
 
 namespace pencil::thesis {
 

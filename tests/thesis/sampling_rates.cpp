@@ -62,7 +62,8 @@ SamplingRates sampling_rates(const ref::Map& map, int n) {
     const std::vector<Texel> texels = whole_texels(map, n, out.used);
     const double mean = over_sphere(texels, 1.0, [](double rate) { return rate; });
     out.ratio = sampling_ratio(map, n);
-    out.variation_sphere = std::sqrt(over_sphere(texels, mean, [](double r) { return (r - 1.0) * (r - 1.0); }));
+    out.variation_sphere = std::sqrt(over_sphere(
+        texels, mean, [](double r) { return (r - 1.0) * (r - 1.0); }));
     out.deviation = over_sphere(texels, mean, [](double r) { return std::abs(r - 1.0); });
     double sum = 0.0, squares = 0.0;
     for (const Texel& t : texels) {

@@ -60,9 +60,8 @@ protected:
     }
 
     static bool has_warning(const Scene& scene, const std::string& part) {
-        for (const std::string& warning : scene.warnings) {
+        for (const std::string& warning : scene.warnings)
             if (warning.find(part) != std::string::npos) return true;
-        }
         return false;
     }
 

@@ -156,9 +156,8 @@ TEST_F(BadScenes, Numbers) {
 
 TEST_F(BadScenes, Sensors) {
     const auto sensor = [](const std::string& inside) { return "<sensor type=\"perspective\">\n" + inside + "</sensor>"; };
-    for (const char* fov : {"0", "180", "-1", "500"}) {
+    for (const char* fov : {"0", "180", "-1", "500"})
         expect_error(sensor("<float name=\"fov\" value=\"" + std::string(fov) + "\"/>"), 4, "fov must lie between 0 and 180");
-    }
     expect_error(sensor("<float name=\"fov\" value=\"4\"/><string name=\"fov_axis\" value=\"up\"/>"), 4, "fov_axis \"up\"");
     expect_error(sensor("<string name=\"focal_length\" value=\"-5mm\"/>"), 4, "focal_length \"-5mm\"");
     expect_error(sensor("<string name=\"focal_length\" value=\"5mm\"/><float name=\"fov\" value=\"4\"/>"), 4, "not both");

@@ -124,13 +124,10 @@ TEST(Lab, PublishedValues) {
                                       {{119, 119, 119}, {50.0344, 0, 0}}};
     for (const KnownLab& colour : known) {
         glm::dvec3 linear;
-        for (int c = 0; c < 3; ++c) {
-            linear[c] = srgb_to_linear(static_cast<float>(colour.srgb[c] / 255));
-        }
+        for (int c = 0; c < 3; ++c) linear[c] = srgb_to_linear(static_cast<float>(colour.srgb[c] / 255));
         const glm::dvec3 lab = linear_srgb_to_lab(linear);
-        for (int c = 0; c < 3; ++c) {
+        for (int c = 0; c < 3; ++c)
             EXPECT_NEAR(lab[c], colour.lab[c], 0.02) << colour.srgb.x << " " << colour.srgb.y << " " << colour.srgb.z << " " << c;
-        }
     }
 }
 

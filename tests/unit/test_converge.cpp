@@ -43,9 +43,7 @@ TEST(RunPlan, StopsBeforeARunOfThreeTimesAsLong) {
 
 TEST(RunPlan, WholeCurvesOfOneSeedFirst) {
     const std::vector<RunPoint> done = simulate(RunPlan({path_tracer_name, "sets"}, 2, 10), 0.2, 1.7);
-    for (std::size_t i = 0; i < done.size(); ++i) {
-        EXPECT_EQ(done[i].seed, i < done.size() / 2 ? 0U : 1U);
-    }
+    for (std::size_t i = 0; i < done.size(); ++i) EXPECT_EQ(done[i].seed, i < done.size() / 2 ? 0U : 1U);
     EXPECT_EQ(done[0].method, path_tracer_name);
     EXPECT_EQ(done[1].method, "sets") << "methods alternate, so that a drift of the machine's speed meets all";
 }
@@ -56,9 +54,8 @@ TEST(RunPlan, GoesOnWhereItStopped) {
     for (std::size_t kept = 0; kept <= whole.size(); ++kept) {
         const std::vector<RunPoint> resumed = simulate(plan, 0.3, 2, {whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(kept)});
         ASSERT_EQ(resumed.size(), whole.size()) << kept;
-        for (std::size_t i = 0; i < whole.size(); ++i) {
+        for (std::size_t i = 0; i < whole.size(); ++i)
             ASSERT_EQ(resumed[i].method + std::to_string(resumed[i].budget), whole[i].method + std::to_string(whole[i].budget)) << kept;
-        }
     }
 }
 
@@ -78,9 +75,7 @@ TEST(RunPlan, ExpectsLessAndLess) {
         if (done.size() > whole.size() / 3) {  // seed 0 is done: no guess any more
             const double left = plan.expected_seconds(done);
             double truth = 0;
-            for (std::size_t i = done.size(); i < whole.size(); ++i) {
-                truth += whole[i].seconds;
-            }
+            for (std::size_t i = done.size(); i < whole.size(); ++i) truth += whole[i].seconds;
             ASSERT_NEAR(left, truth, 1e-9);
         }
     }

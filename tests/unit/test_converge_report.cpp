@@ -60,9 +60,8 @@ TEST(Report, PageSaysWhoIsAhead) {
     EXPECT_NE(html.find("no image yet"), std::string::npos);
     EXPECT_NE(html.find("not reached"), std::string::npos);
     EXPECT_NE(html.find("no plots (reason); advice"), std::string::npos);
-    for (const char* resource : {"http:", "https:", "src=\"/", "url(", "<script", "<link"}) {
+    for (const char* resource : {"http:", "https:", "src=\"/", "url(", "<script", "<link"})
         EXPECT_EQ(html.find(resource), std::string::npos) << resource;
-    }
 }
 
 TEST(Report, PageOfAnUnfinishedMeasurement) {
@@ -86,9 +85,7 @@ TEST(Report, PageOfAnUnfinishedMeasurement) {
 TEST(Report, CardsNameTheMetricsThatDisagree) {
     Report report = small_report();
     EXPECT_EQ(page_html(report, "").find("by RMSE"), std::string::npos);
-    for (RunPoint& run : report.points) {
-        run.rmse = run.method == "sets" ? 0.01 : 0.04;
-    }
+    for (RunPoint& run : report.points) run.rmse = run.method == "sets" ? 0.01 : 0.04;
     report.methods = summarise(report.points, report.options, report.truth);
     EXPECT_NE(page_html(report, "").find("by RMSE, sets is ahead of it by 4"), std::string::npos);
 }

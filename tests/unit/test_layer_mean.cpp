@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "reference/random.h"
 #include "film/layer_mean.h"
+#include "reference/random.h"
 
 namespace {
 

@@ -317,9 +317,8 @@ TEST_F(LoadScene, ClosedBoxesFaceInwardAndShareTheirCorners) {
             sum += face_vector(scene, t);
         }
         EXPECT_EQ(sum, glm::dvec3(0.0)) << name;
-        for (const glm::dvec3 p : scene.positions) {
+        for (const glm::dvec3 p : scene.positions)
             for (int i = 0; i < 3; ++i) EXPECT_EQ(std::abs(p[i] - middle[i]), std::string(name) == "furnace" ? 1.0 : 0.5) << name;
-        }
     }
 }
 

@@ -143,9 +143,8 @@ TEST(ReadPly, BadBodies) {
 }
 
 TEST(ReadPly, TruncationNeverCrashes) {
-    for (const std::string& bytes : {header("ascii", 4, 2) + ascii_body, binary(false), binary(true)}) {
+    for (const std::string& bytes : {header("ascii", 4, 2) + ascii_body, binary(false), binary(true)})
         for (std::size_t n = 0; n + 2 < bytes.size(); ++n) EXPECT_NE(defect(bytes.substr(0, n)), "") << n;
-    }
 }
 
 }  // namespace

@@ -54,9 +54,8 @@ TEST(OctahedralReference, KnownCorners) {
 TEST(OctahedralReference, SolidAnglesSumToTheSphere) {
     for (const int n : {1, 2, 3, 5, 8, 16, 31, 64, 128}) {
         double sum = 0.0;
-        for (int y = 0; y < n; ++y) {
+        for (int y = 0; y < n; ++y)
             for (int x = 0; x < n; ++x) sum += texel_solid_angle(x, y, n);
-        }
         EXPECT_NEAR(sum, 4.0 * pi, 1e-10) << "n " << n;
     }
 }

@@ -38,9 +38,8 @@ TEST(FormFactor, ClosedFormsAgree) {
     const dvec3 up(0, 1, 0);
     EXPECT_NEAR(polygon_irradiance(wall(1, 1.0), {0.5, 0, 0.5}, up) / pi, 4.0 * parallel_corner_factor(0.5, 0.5, 1.0), exact);
     EXPECT_NEAR(4.0 * parallel_corner_factor(0.5, 0.5, 1.0), 0.2394565, 1e-6);  // floor centre to ceiling of a cube
-    for (const dvec2& p : {dvec2(0.5, 0.5), dvec2(0.2, 0.5), dvec2(0.05, 0.5), dvec2(0.01, 0.5), dvec2(0.02, 0.02)}) {
+    for (const dvec2& p : {dvec2(0.5, 0.5), dvec2(0.2, 0.5), dvec2(0.05, 0.5), dvec2(0.01, 0.5), dvec2(0.02, 0.02)})
         EXPECT_NEAR(polygon_irradiance(wall(0, 0.0), {p.x, 0, p.y}, up), lit_wall_irradiance(p.x, p.y), exact) << p.x << " " << p.y;
-    }
     EXPECT_NEAR(lit_wall_irradiance(1e-9, 0.5), pi / 2.0, 1e-6) << "at its foot a wall fills half the hemisphere";
 }
 

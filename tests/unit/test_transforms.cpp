@@ -87,9 +87,8 @@ TEST_F(Transforms, MirroringKeepsTheFront) {
     scene = shape("rectangle", "<scale x=\"-2\" y=\"-3\"/>");
     for (std::size_t t = 0; t < 2; ++t) expect_near(face_vector(scene, t), {0, 0, 24}, rounding);
     scene = shape("cube", "<matrix value=\"0 1 0 0  1 0 0 0  0 0 1 0  0 0 0 1\"/>");  // swaps x and y: a mirror
-    for (std::size_t t = 0; t < 12; ++t) {
+    for (std::size_t t = 0; t < 12; ++t)
         EXPECT_GT(glm::dot(face_vector(scene, t), scene.positions[scene.triangles[t].corners.x]), 0.0) << "triangle " << t;
-    }
 }
 
 TEST_F(Transforms, FlipNormalsTurnsTheFront) {
@@ -114,9 +113,8 @@ TEST_F(Transforms, NormalsGoByTheInverseTranspose) {
         const glm::dvec3 expected = glm::normalize(glm::dvec3(p.x / 4, p.y, p.z));
         ASSERT_LT(glm::length(glm::dvec3(scene.normals[i]) - expected), 1e-6);  // single precision
     }
-    for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
+    for (std::size_t t = 0; t < scene.triangles.size(); ++t)
         ASSERT_GT(glm::dot(face_vector(scene, t), glm::dvec3(scene.normals[scene.triangles[t].corners.x])), 0.0);
-    }
 }
 
 TEST_F(Transforms, BadTransformsNameTheirLine) {

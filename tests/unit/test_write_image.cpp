@@ -95,9 +95,8 @@ TEST_F(ImageFiles, PngShowsSrgb) {
     write_image(file("a.png"), {3, 1, {{"", 3, linear.data()}}});
     const Image read = read_image(file("a.png"));
     const std::vector<int> expected{0, 0, 10, 118, 188, 255, 255, 127, 0};
-    for (std::size_t i = 0; i < expected.size(); ++i) {
+    for (std::size_t i = 0; i < expected.size(); ++i)
         EXPECT_NEAR(read.pixels[i] * 255, expected[i], i == 7 ? 1.01 : 0.01) << i;  // 0.21404 lies on the border of 127 and 128
-    }
 }
 
 TEST_F(ImageFiles, NonFiniteValuesAreCountedAndPlaced) {

@@ -1,8 +1,8 @@
 // Candidates uniform over the bounding box of geometry and lights (thesis 6.1.1).
 #pragma once
 
-#include "pencils/place_pencils.h"
 #include "line/placement/candidate_source.h"
+#include "pencils/place_pencils.h"
 
 namespace pencil {
 

@@ -63,13 +63,14 @@ std::unique_ptr<CandidateSource> make_member(const PlacementScene& scene, Placem
 }  // namespace
 
 bool follows_rays(const std::vector<Placement>& mixture) {
-    return std::any_of(mixture.begin(), mixture.end(), [](Placement p) {
-        return p == Placement::near_surface || p == Placement::light_rays || p == Placement::camera_rays;
-    });
+    return std::any_of(
+        mixture.begin(), mixture.end(),
+        [](Placement p) { return p == Placement::near_surface || p == Placement::light_rays || p == Placement::camera_rays; });
 }
 
 bool fills_box_evenly(const std::vector<Placement>& mixture) {
-    return std::all_of(mixture.begin(), mixture.end(), [](Placement p) { return p == Placement::random || p == Placement::lds; });
+    return std::all_of(
+        mixture.begin(), mixture.end(), [](Placement p) { return p == Placement::random || p == Placement::lds; });
 }
 
 std::unique_ptr<CandidateSource> make_candidate_source(const PlacementScene& scene, const std::vector<Placement>& mixture) {

@@ -3,8 +3,8 @@
 
 #include <map>
 
-#include "pencils/probing_rays.h"
 #include "line/placement/candidate_source.h"
+#include "pencils/probing_rays.h"
 
 namespace pencil {
 

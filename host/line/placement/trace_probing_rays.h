@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "pencils/probing_rays.h"
 #include "device/device_scene.h"
 #include "device/features.h"
+#include "pencils/probing_rays.h"
 
 namespace pencil {
 

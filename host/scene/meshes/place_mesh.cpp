@@ -50,9 +50,8 @@ public:
                 std::swap(corners.y, corners.z);
                 ++counts.turned;
             }
-            if (scene_.triangles.size() >= max_triangles) {
+            if (scene_.triangles.size() >= max_triangles)
                 throw SceneError(where_, "the scene has more than " + std::to_string(max_triangles) + " triangles");
-            }
             scene_.triangles.push_back({{vertex(corners.x), vertex(corners.y), vertex(corners.z)}, owner.shape, owner.material});
         }
         return counts;
@@ -61,9 +60,8 @@ public:
 private:
     glm::dvec3 to_world(glm::dvec3 position) const {
         const glm::dvec3 p(placement_.to_world * glm::dvec4(position, 1.0));
-        if (!(std::abs(p.x) <= max_coordinate && std::abs(p.y) <= max_coordinate && std::abs(p.z) <= max_coordinate)) {
+        if (!(std::abs(p.x) <= max_coordinate && std::abs(p.y) <= max_coordinate && std::abs(p.z) <= max_coordinate))
             throw SceneError(where_, "a vertex lies further than 1e18 from the origin");
-        }
         return p;
     }
 

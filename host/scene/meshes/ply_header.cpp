@@ -57,15 +57,14 @@ private:
 
     void format(const std::vector<std::string_view>& line) {
         if (line.size() != 3 || line[2] != "1.0") fail("the format line must be \"format ENCODING 1.0\"");
-        if (line[1] == "ascii") {
+        if (line[1] == "ascii")
             header_.encoding = PlyEncoding::ascii;
-        } else if (line[1] == "binary_little_endian") {
+        else if (line[1] == "binary_little_endian")
             header_.encoding = PlyEncoding::little_endian;
-        } else if (line[1] == "binary_big_endian") {
+        else if (line[1] == "binary_big_endian")
             header_.encoding = PlyEncoding::big_endian;
-        } else {
+        else
             fail("encoding " + in_quotes(line[1]) + " is not known");
-        }
     }
 
     void element(const std::vector<std::string_view>& line) {

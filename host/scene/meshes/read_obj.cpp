@@ -35,9 +35,8 @@ public:
             statement(text_.substr(start, end - start));
             start = end + 1;
         }
-        if (positions_.empty() && !text_.empty() && !trimmed(text_).empty()) {
+        if (positions_.empty() && !text_.empty() && !trimmed(text_).empty())
             throw SceneError(name_, "no vertex in the whole file: is it an OBJ file?");
-        }
         if (!any_normal_) mesh_.normals.clear();
         if (!any_uv_) mesh_.uvs.clear();
         mesh_.smooth = true;
@@ -62,17 +61,16 @@ private:
         if (keyword.empty() || keyword[0] == '#') return;
         if (const std::string_view rest = trimmed(line); !rest.empty() && rest.back() == '\\')
             fail("lines continued with \\ are not supported");
-        if (keyword == "v") {
+        if (keyword == "v")
             positions_.push_back(numbers("v", line, 3, 7));  // x y z, then perhaps w or a colour
-        } else if (keyword == "vn") {
+        else if (keyword == "vn")
             normals_.push_back(numbers("vn", line, 3, 3));
-        } else if (keyword == "vt") {
+        else if (keyword == "vt")
             uvs_.emplace_back(numbers("vt", line, 1, 3));  // u, then perhaps v and w
-        } else if (keyword == "f") {
+        else if (keyword == "f")
             face(line);
-        } else if (keyword.find('\0') != std::string_view::npos) {
+        else if (keyword.find('\0') != std::string_view::npos)
             fail("binary data: this is not an OBJ file");
-        }
     }
 
     /// The first three of them; zero where there are fewer.

@@ -23,13 +23,12 @@ public:
         if (!has_vertices) throw SceneError(name_, "the file has no element \"vertex\"");
         for (const PlyElement& element : header_.elements) {
             check_count(element);
-            if (element.name == "vertex") {
+            if (element.name == "vertex")
                 vertices(element);
-            } else if (element.name == "face") {
+            else if (element.name == "face")
                 faces(element);
-            } else {
+            else
                 skip(element);
-            }
         }
         check_indices();
         mesh_.smooth = true;
@@ -112,13 +111,11 @@ private:
         if (!is_integer(list->type)) throw SceneError(where, "vertex indices must be integers");
         for (std::uint64_t i = 0; i < element.count; ++i) {
             source_.begin_row();
-            for (const PlyProperty& property : element.properties) {
-                if (&property == &*list) {
+            for (const PlyProperty& property : element.properties)
+                if (&property == &*list)
                     face(property, i);
-                } else {
+                else
                     value(property);
-                }
-            }
             source_.end_row();
         }
     }
@@ -129,9 +126,8 @@ private:
         std::uint32_t first = 0, previous = 0;
         for (std::uint64_t c = 0; c < corners; ++c) {
             const double index = source_.read(property.type);
-            if (!(index >= 0.0 && index < std::numeric_limits<std::uint32_t>::max())) {
+            if (!(index >= 0.0 && index < std::numeric_limits<std::uint32_t>::max()))
                 source_.fail("face " + std::to_string(number) + " has a vertex index out of range");
-            }
             const auto corner = static_cast<std::uint32_t>(index);
             if (c == 0) first = corner;
             if (c >= 2) mesh_.triangles.emplace_back(first, previous, corner);
@@ -142,9 +138,8 @@ private:
 
     std::uint64_t list_length(const PlyProperty& property) {
         const double length = source_.read(property.count_type);
-        if (!(length >= 0.0 && length <= static_cast<double>(source_.left_for_list() / Source::least_bytes(property.type)))) {
+        if (!(length >= 0.0 && length <= static_cast<double>(source_.left_for_list() / Source::least_bytes(property.type))))
             source_.fail("a list has an impossible length");
-        }
         return static_cast<std::uint64_t>(length);
     }
 

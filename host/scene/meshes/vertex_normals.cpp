@@ -35,13 +35,15 @@ std::vector<glm::dvec3> smooth_normals(const std::vector<glm::dvec3>& positions,
 
 bool are_face_normals(const std::vector<glm::dvec3>& normals, const std::vector<glm::dvec3>& positions,
                       const std::vector<glm::uvec3>& triangles, double tolerance) {
-    return std::all_of(triangles.begin(), triangles.end(), [&](const glm::uvec3& corners) {
-        const glm::dvec3 normal = face_normal(positions[corners.x], positions[corners.y], positions[corners.z]);
-        if (normal == glm::dvec3(0.0)) return true;
-        for (int k = 0; k < 3; ++k)
-            if (glm::length(normals[corners[k]] - normal) > tolerance) return false;
-        return true;
-    });
+    return std::all_of(
+        triangles.begin(), triangles.end(),
+        [&](const glm::uvec3& corners) {
+            const glm::dvec3 normal = face_normal(positions[corners.x], positions[corners.y], positions[corners.z]);
+            if (normal == glm::dvec3(0.0)) return true;
+            for (int k = 0; k < 3; ++k)
+                if (glm::length(normals[corners[k]] - normal) > tolerance) return false;
+            return true;
+        });
 }
 
 }  // namespace pencil

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "scene/mitsuba/spectrum.h"
-#include "scene/text.h"
 #include "scene/mitsuba/xml_values.h"
+#include "scene/text.h"
 
 namespace pencil {
 namespace {
@@ -55,9 +55,8 @@ glm::dvec3 parse_sampled(XmlSource& source, pugi::xml_node node, ColourUse use) 
     const glm::dvec3 colour = reflects ? reflectance_to_rgb(spectrum) : emission_to_rgb(spectrum);
     const glm::dvec3 inside = glm::clamp(colour, glm::dvec3(0.0), glm::dvec3(reflects ? 1.0 : HUGE_VAL));
     constexpr double noticeable = 1e-3;  // below it the cut is rounding
-    if (glm::any(glm::greaterThan(glm::abs(colour - inside), glm::dvec3(noticeable * std::max(1.0, colour.y))))) {
+    if (glm::any(glm::greaterThan(glm::abs(colour - inside), glm::dvec3(noticeable * std::max(1.0, colour.y)))))
         source.warn(node, "the spectrum's colour lies outside sRGB; cut to the nearest representable components");
-    }
     return inside;
 }
 
@@ -70,20 +69,18 @@ glm::dvec3 parse_components(XmlSource& source, pugi::xml_node node, ColourUse us
     const std::vector<std::string_view> parts = tokens(text);
     glm::dvec3 colour(0.0);
     const std::optional<glm::dvec3> hex = parts.size() == 1 && tag != "float" ? parse_hex(parts[0]) : std::nullopt;
-    if (hex) {
+    if (hex)
         colour = *hex;
-    } else if (tag == "float" || tag == "integer") {
+    else if (tag == "float" || tag == "integer")
         colour = glm::dvec3(token_number(source, node, text));
-    } else if (parts.size() == 1) {
+    else if (parts.size() == 1)
         colour = glm::dvec3(token_number(source, node, parts[0]));
-    } else if (parts.size() == 3) {
+    else if (parts.size() == 3)
         for (int i = 0; i < 3; ++i) colour[i] = token_number(source, node, parts[static_cast<std::size_t>(i)]);
-    } else {
+    else
         source.fail(node, "<" + tag + "> " + in_quotes(text) + " has " + std::to_string(parts.size()) + " numbers, not one or three");
-    }
-    if (tag == "srgb") {
+    if (tag == "srgb")
         for (int i = 0; i < 3; ++i) colour[i] = srgb_to_linear(colour[i]);
-    }
     return colour;
 }
 
@@ -100,9 +97,8 @@ glm::vec3 parse_colour(XmlSource& source, pugi::xml_node node, ColourUse use) {
     for (int i = 0; i < 3; ++i) {
         if (!std::isfinite(colour[i])) source.fail(node, in_quotes(name) + " is outside the range of single precision");
         if (colour[i] < 0.0F) source.fail(node, in_quotes(name) + " must not be negative");
-        if (use == ColourUse::reflectance && colour[i] > 1.0F) {
+        if (use == ColourUse::reflectance && colour[i] > 1.0F)
             source.fail(node, in_quotes(name) + " must lie in [0, 1]: a surface cannot reflect more light than it receives");
-        }
     }
     return colour;
 }

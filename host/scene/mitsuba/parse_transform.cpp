@@ -6,8 +6,8 @@
 #include <glm/trigonometric.hpp>
 #include <initializer_list>
 
-#include "scene/text.h"
 #include "scene/mitsuba/xml_values.h"
+#include "scene/text.h"
 
 namespace pencil {
 namespace {
@@ -50,9 +50,8 @@ glm::dmat4 look_at(XmlSource& source, pugi::xml_node node) {
 
 glm::dmat4 matrix(const XmlSource& source, pugi::xml_node node) {
     const std::vector<std::string_view> parts = tokens(node.attribute("value").value());
-    if (parts.size() != 16 && parts.size() != 9) {
+    if (parts.size() != 16 && parts.size() != 9)
         source.fail(node, "<matrix> has " + std::to_string(parts.size()) + " numbers, not 16 (or 9)");
-    }
     const int n = parts.size() == 16 ? 4 : 3;
     glm::dmat4 result(1.0);
     for (int i = 0; i < n * n; ++i) {
@@ -128,16 +127,14 @@ double attribute_number(const XmlSource& source, pugi::xml_node node, const char
 glm::dvec3 parse_vector(const XmlSource& source, pugi::xml_node node, double absent) {
     const char* const axes[] = {"x", "y", "z"};
     if (node.attribute("value")) {
-        for (const char* axis : axes) {
+        for (const char* axis : axes)
             if (node.attribute(axis)) source.fail(node, std::string("<") + node.name() + "> has both value and " + axis);
-        }
         const std::size_t count = tokens(node.attribute("value").value()).size();
         return count == 1 ? glm::dvec3(attribute_number(source, node, "value")) : three_numbers(source, node, "value");
     }
     glm::dvec3 result(absent);
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 3; ++i)
         if (node.attribute(axes[i])) result[i] = attribute_number(source, node, axes[i]);
-    }
     return result;
 }
 
@@ -146,9 +143,8 @@ glm::dmat4 parse_transform(XmlSource& source, pugi::xml_node node) {
     for (const pugi::xml_node child : node.children()) {
         result = operation(source, child) * result;
         for (int column = 0; column < 4; ++column) {
-            for (int row = 0; row < 4; ++row) {
+            for (int row = 0; row < 4; ++row)
                 if (!std::isfinite(result[column][row])) source.fail(child, "the transform overflows");
-            }
         }
     }
     return result;

@@ -81,9 +81,8 @@ pugi::xml_node Properties::take(const std::string& name) {
 pugi::xml_node Properties::take(const std::string& name, const std::string& tags) {
     const pugi::xml_node parameter = take(name);
     if (!parameter) return parameter;
-    for (const std::string_view tag : tokens(tags)) {
+    for (const std::string_view tag : tokens(tags))
         if (tag == parameter.name()) return parameter;
-    }
     fail(name, "parameter " + in_quotes(name) + " must be a <" + std::string(tokens(tags)[0]) + ">, not a <" + parameter.name() + ">");
 }
 

@@ -60,9 +60,8 @@ void read_film(XmlSource& source, const NestedObject& object, PerspectiveSensor&
     if (object.type != "hdrfilm" && object.type != "ldrfilm") p.fail("", "is not supported; supported: hdrfilm, ldrfilm");
     sensor.width = read_size(p, "width", sensor.width);
     sensor.height = read_size(p, "height", sensor.height);
-    for (const char* crop : {"crop_width", "crop_height", "crop_offset_x", "crop_offset_y"}) {
+    for (const char* crop : {"crop_width", "crop_height", "crop_offset_x", "crop_offset_y"})
         if (p.has(crop)) source.warn(object.node, p.label() + ": crop windows are not supported, the whole image is rendered");
-    }
     p.ignore({"crop_width", "crop_height", "crop_offset_x", "crop_offset_y", "file_format", "pixel_format", "component_format", "banner",
               "gamma", "exposure", "tonemap_method", "key", "burn", "attach_log", "high_quality_edges", "sample_border", "compensate",
               "fast_path"});
@@ -110,9 +109,8 @@ glm::dmat4 read_frame(Properties& p) {
     const double scale = glm::length(glm::dvec3(frame[0]));
     for (int i = 0; i < 3; ++i) {
         const glm::dvec3 axis(frame[i]), next(frame[(i + 1) % 3]);
-        if (std::abs(glm::length(axis) / scale - 1.0) > tolerance || std::abs(glm::dot(axis, next)) > tolerance * scale * scale) {
+        if (std::abs(glm::length(axis) / scale - 1.0) > tolerance || std::abs(glm::dot(axis, next)) > tolerance * scale * scale)
             p.fail("to_world", "a sensor's to_world may only rotate, mirror and move");
-        }
     }
     if (std::abs(scale - 1.0) > tolerance) p.source().warn(p.node(), p.label() + ": the scale in to_world is left out");
     for (int i = 0; i < 3; ++i) frame[i] = glm::dvec4(glm::normalize(glm::dvec3(frame[i])), 0.0);
@@ -125,13 +123,11 @@ PerspectiveSensor read_sensor(XmlSource& source, pugi::xml_node node) {
     Properties p(source, node);
     if (std::string(node.attribute("type").value()) != "perspective") p.fail("", "is not supported; supported: perspective");
     PerspectiveSensor sensor;
-    for (const NestedObject& child : p.objects()) {
-        if (child.kind == "film") {
+    for (const NestedObject& child : p.objects())
+        if (child.kind == "film")
             read_film(source, child, sensor);
-        } else if (child.kind != "sampler") {
+        else if (child.kind != "sampler")
             source.fail(child.named_at, "<" + child.kind + "> cannot stand inside " + p.label());
-        }
-    }
     sensor.fov_x = read_fov(p, static_cast<double>(sensor.width) / sensor.height);
     sensor.to_world = read_frame(p);
     sensor.near_clip = p.number("near_clip", sensor.near_clip);

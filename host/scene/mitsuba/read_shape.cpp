@@ -59,9 +59,8 @@ Mesh ShapeReader::read_mesh(Properties& p, const std::string& kind) {
     if (kind == "rectangle") return make_rectangle();
     if (kind == "cube") return make_cube();
     if (kind == "sphere") return make_sphere();
-    if (kind != "obj" && kind != "ply") {
+    if (kind != "obj" && kind != "ply")
         source_.fail(p.node(), p.label() + " is not supported; supported: rectangle, cube, sphere, obj, ply");
-    }
     p.ignore({"max_smooth_angle", "collapse", "srgb"});
     const std::string name = p.text("filename", "");
     if (!p.has("filename")) p.fail("", "needs a filename");

@@ -63,9 +63,8 @@ double value_at(const SampledSpectrum& spectrum, double wavelength) {
 template <class Power>
 glm::dvec3 integrate_xyz(Power power) {
     glm::dvec3 sum(0.0);
-    for (double wavelength = first_wavelength; wavelength <= last_wavelength; wavelength += 1.0) {
+    for (double wavelength = first_wavelength; wavelength <= last_wavelength; wavelength += 1.0)
         sum += power(wavelength) * cie_1931(wavelength);
-    }
     return sum;
 }
 

@@ -38,12 +38,10 @@ void XmlSource::parse(const std::string& text) {
     if (text.find('\0') != std::string::npos || !is_utf8(text))
         throw SceneError(name, "this is not UTF-8 text; save the scene as UTF-8 XML");
     line_starts_.push_back(0);
-    for (std::size_t i = 0; i < text.size(); ++i) {
+    for (std::size_t i = 0; i < text.size(); ++i)
         if (text[i] == '\n') line_starts_.push_back(static_cast<std::ptrdiff_t>(i) + 1);
-    }
-    if (std::count(text.begin(), text.end(), '<') > max_elements) {
+    if (std::count(text.begin(), text.end(), '<') > max_elements)
         throw SceneError(name, "more than " + std::to_string(max_elements) + " elements; put geometry into OBJ or PLY files");
-    }
     const unsigned flags = pugi::parse_default | pugi::parse_doctype;
     const pugi::xml_parse_result result = document_.load_buffer(text.data(), text.size(), flags, pugi::encoding_utf8);
     if (result.status == pugi::status_bad_doctype) throw SceneError(line_at(result.offset), "DOCTYPE is not allowed");
@@ -74,9 +72,8 @@ void XmlSource::check_tree(const std::map<std::string, std::string>& defines) {
         if (node) node = node.next_sibling();
     }
     read_version();
-    for (const auto& [name, used] : used_) {
+    for (const auto& [name, used] : used_)
         if (!used) warnings_.push_back(shown(file_) + ": the scene does not use $" + escaped(name) + ", the given value has no effect");
-    }
 }
 
 void XmlSource::check_element(pugi::xml_node node, int depth) {
@@ -112,16 +109,14 @@ void XmlSource::register_id(pugi::xml_node node) {
 void XmlSource::substitute(pugi::xml_node node) {
     std::vector<std::string> seen;
     for (pugi::xml_attribute attribute : node.attributes()) {
-        if (std::find(seen.begin(), seen.end(), attribute.name()) != seen.end()) {
+        if (std::find(seen.begin(), seen.end(), attribute.name()) != seen.end())
             fail(node, "attribute " + in_quotes(attribute.name()) + " is given twice");
-        }
         seen.emplace_back(attribute.name());
         if (seen.size() > max_attributes) fail(node, "more than " + std::to_string(max_attributes) + " attributes");
         const std::string value = attribute.value();
         if (value.find('$') != std::string::npos) attribute.set_value(substituted(node, value).c_str());
-        if (std::strlen(attribute.value()) > max_value_bytes) {
+        if (std::strlen(attribute.value()) > max_value_bytes)
             fail(node, "attribute " + in_quotes(attribute.name()) + " is longer than " + std::to_string(max_value_bytes) + " bytes");
-        }
     }
 }
 

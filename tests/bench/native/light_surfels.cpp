@@ -36,26 +36,28 @@ inline void add_sample(const SurfelVectors& s, const TileView& tile, const Light
 }  // namespace
 
 void light_surfels(const SceneView& scene, const SurfelsView& surfels, const LightSample* samples, const MapsView& maps, RgbView outgoing) {
-    parallel_blocks(surfels.count, kBlock, [&](int first, int) {
-        constexpr int packets = kBlock / kLanes;
-        SurfelVectors s[packets];
-        Irradiance e[packets] = {};
-        for (int p = 0; p < packets; ++p) s[p] = load_surfels(surfels, first + p * kLanes);
-        for (int i = 0; i < maps.count; ++i) {
-            const TileView tile(scene, maps, i);
-            Aimed aimed[packets];
-            for (int p = 0; p < packets; ++p) aim(s[p], tile, samples[i], aimed[p]);
-            for (int p = 0; p < packets; ++p) add_sample(s[p], tile, samples[i], aimed[p], e[p]);
-        }
-        for (int p = 0; p < packets; ++p) {
-            const int at = first + p * kLanes;
-            const vfloat irradiance[3] = {e[p].r, e[p].g, e[p].b};
-            for (int c = 0; c < 3; ++c) {
-                float* out = outgoing.channel(c) + at;
-                store(load<vfloat>(out) + kInversePi * irradiance[c] * load<vfloat>(surfels.field(SURFEL_ALBEDO_R + c) + at), out);
+    parallel_blocks(
+        surfels.count, kBlock,
+        [&](int first, int) {
+            constexpr int packets = kBlock / kLanes;
+            SurfelVectors s[packets];
+            Irradiance e[packets] = {};
+            for (int p = 0; p < packets; ++p) s[p] = load_surfels(surfels, first + p * kLanes);
+            for (int i = 0; i < maps.count; ++i) {
+                const TileView tile(scene, maps, i);
+                Aimed aimed[packets];
+                for (int p = 0; p < packets; ++p) aim(s[p], tile, samples[i], aimed[p]);
+                for (int p = 0; p < packets; ++p) add_sample(s[p], tile, samples[i], aimed[p], e[p]);
             }
-        }
-    });
+            for (int p = 0; p < packets; ++p) {
+                const int at = first + p * kLanes;
+                const vfloat irradiance[3] = {e[p].r, e[p].g, e[p].b};
+                for (int c = 0; c < 3; ++c) {
+                    float* out = outgoing.channel(c) + at;
+                    store(load<vfloat>(out) + kInversePi * irradiance[c] * load<vfloat>(surfels.field(SURFEL_ALBEDO_R + c) + at), out);
+                }
+            }
+        });
 }
 
 }  // namespace pencil::native

@@ -55,9 +55,11 @@ void measure(const SurfelsView& surfels, int first, int n, SurfacePencil& pencil
 }  // namespace
 
 void measure_hemispheres(const SurfelsView& surfels, int count, int n, SurfacePencil* pencils) {
-    parallel_blocks(count, 16, [&](int first, int last) {
-        for (int p = first; p < last; ++p) measure(surfels, p * n * n, n, pencils[p]);
-    });
+    parallel_blocks(
+        count, 16,
+        [&](int first, int last) {
+            for (int p = first; p < last; ++p) measure(surfels, p * n * n, n, pencils[p]);
+        });
 }
 
 }  // namespace pencil::native

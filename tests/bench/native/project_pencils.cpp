@@ -79,17 +79,19 @@ void finish(const SurfelsView& surfels, const Sums& sums, int first, int last, R
 
 void project_pencils(const SceneView& scene, const SurfelsView& surfels, const MapsView& maps, const float4* radiance, RgbView outgoing,
                      int* visible) {
-    parallel_blocks(surfels.count, kBlock, [&](int first, int last) {
-        SurfelVectors s[kBlock / kLanes];
-        for (int p = 0; p < kBlock / kLanes; ++p) s[p] = load_surfels(surfels, first + p * kLanes);
-        alignas(64) Sums sums{};
-        for (int i = 0; i < maps.count; ++i) {
-            const TileView tile(scene, maps, i);
-            const float4* texels = radiance + static_cast<std::size_t>(i) * maps.tile_texels();
-            project(s, tile, texels, sums);
-        }
-        finish(surfels, sums, first, last, outgoing, visible);
-    });
+    parallel_blocks(
+        surfels.count, kBlock,
+        [&](int first, int last) {
+            SurfelVectors s[kBlock / kLanes];
+            for (int p = 0; p < kBlock / kLanes; ++p) s[p] = load_surfels(surfels, first + p * kLanes);
+            alignas(64) Sums sums{};
+            for (int i = 0; i < maps.count; ++i) {
+                const TileView tile(scene, maps, i);
+                const float4* texels = radiance + static_cast<std::size_t>(i) * maps.tile_texels();
+                project(s, tile, texels, sums);
+            }
+            finish(surfels, sums, first, last, outgoing, visible);
+        });
 }
 
 }  // namespace pencil::native

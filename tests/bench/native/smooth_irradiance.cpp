@@ -42,31 +42,33 @@ struct Sums {
 }  // namespace
 
 void smooth_irradiance(const LatticeView& film, const float4* irradiance, float most_error, float4* fits) {
-    parallel_blocks(film.width * film.height, 256, [&](int first, int last) {
-        for (int pixel = first; pixel < last; ++pixel) {
-            const int index = film.at[pixel];
-            if (index < 0) continue;
-            const SurfacePencil& own = film.pencils[index];
-            const Vec3 x = xyz(own.position), n = xyz(own.normal);
-            Vec3 t, b;
-            tangent_frame(n, t, b);
-            Sums sums;
-            for (int dy = -kReach; dy <= kReach; ++dy)
-                for (int dx = -kReach; dx <= kReach; ++dx) {
-                    const int px = pixel % film.width + own.spacing * dx, py = pixel / film.width + own.spacing * dy;
-                    if (px < 0 || py < 0 || px >= film.width || py >= film.height) continue;
-                    const int other = film.at[py * film.width + px];
-                    if (other < 0) continue;
-                    const SurfacePencil& p = film.pencils[other];
-                    const float distance = reuse_distance(p, x, n);
-                    if (distance == kInfinite) continue;
-                    const float error = reuse_error(p, distance, n) + reuse_error(own, distance, n);
-                    const Vec3 step = xyz(p.position) - x;
-                    sums.add(std::max(1.0F - error / (2.0F * most_error), 0.0F), dot(step, t), dot(step, b), load4(irradiance[other]));
-                }
-            sums.solve(fits + 3 * static_cast<std::size_t>(index));
-        }
-    });
+    parallel_blocks(
+        film.width * film.height, 256,
+        [&](int first, int last) {
+            for (int pixel = first; pixel < last; ++pixel) {
+                const int index = film.at[pixel];
+                if (index < 0) continue;
+                const SurfacePencil& own = film.pencils[index];
+                const Vec3 x = xyz(own.position), n = xyz(own.normal);
+                Vec3 t, b;
+                tangent_frame(n, t, b);
+                Sums sums;
+                for (int dy = -kReach; dy <= kReach; ++dy)
+                    for (int dx = -kReach; dx <= kReach; ++dx) {
+                        const int px = pixel % film.width + own.spacing * dx, py = pixel / film.width + own.spacing * dy;
+                        if (px < 0 || py < 0 || px >= film.width || py >= film.height) continue;
+                        const int other = film.at[py * film.width + px];
+                        if (other < 0) continue;
+                        const SurfacePencil& p = film.pencils[other];
+                        const float distance = reuse_distance(p, x, n);
+                        if (distance == kInfinite) continue;
+                        const float error = reuse_error(p, distance, n) + reuse_error(own, distance, n);
+                        const Vec3 step = xyz(p.position) - x;
+                        sums.add(std::max(1.0F - error / (2.0F * most_error), 0.0F), dot(step, t), dot(step, b), load4(irradiance[other]));
+                    }
+                sums.solve(fits + 3 * static_cast<std::size_t>(index));
+            }
+        });
 }
 
 }  // namespace pencil::native

@@ -16,23 +16,25 @@ inline void aim(const SurfelVectors& s, const TileView& tile, Aimed& out) {
 }  // namespace
 
 void test_visibility(const SceneView& scene, const SurfelsView& surfels, const MapsView& maps, uint* mask) {
-    parallel_blocks(surfels.count, kBlock, [&](int first, int) {
-        constexpr int packets = kBlock / kLanes;
-        SurfelVectors s[packets];
-        for (int p = 0; p < packets; ++p) s[p] = load_surfels(surfels, first + p * kLanes);
-        for (int word = 0; word * 32 < maps.count; ++word) {
-            vint words[packets] = {};
-            for (int i = 32 * word; i < std::min(32 * word + 32, maps.count); ++i) {
-                const TileView tile(scene, maps, i);
-                const int bit = static_cast<int>(1U << (i % 32));
-                Aimed aimed[packets];
-                for (int p = 0; p < packets; ++p) aim(s[p], tile, aimed[p]);
-                for (int p = 0; p < packets; ++p) words[p] |= lanes_of(visible_lanes(s[p], tile, aimed[p])) & bit;
+    parallel_blocks(
+        surfels.count, kBlock,
+        [&](int first, int) {
+            constexpr int packets = kBlock / kLanes;
+            SurfelVectors s[packets];
+            for (int p = 0; p < packets; ++p) s[p] = load_surfels(surfels, first + p * kLanes);
+            for (int word = 0; word * 32 < maps.count; ++word) {
+                vint words[packets] = {};
+                for (int i = 32 * word; i < std::min(32 * word + 32, maps.count); ++i) {
+                    const TileView tile(scene, maps, i);
+                    const int bit = static_cast<int>(1U << (i % 32));
+                    Aimed aimed[packets];
+                    for (int p = 0; p < packets; ++p) aim(s[p], tile, aimed[p]);
+                    for (int p = 0; p < packets; ++p) words[p] |= lanes_of(visible_lanes(s[p], tile, aimed[p])) & bit;
+                }
+                for (int p = 0; p < packets; ++p)
+                    store(words[p], mask + static_cast<std::size_t>(word) * surfels.capacity + first + p * kLanes);
             }
-            for (int p = 0; p < packets; ++p)
-                store(words[p], mask + static_cast<std::size_t>(word) * surfels.capacity + first + p * kLanes);
-        }
-    });
+        });
 }
 
 }  // namespace pencil::native

@@ -9,6 +9,7 @@
 #include "shared/camera.h"
 #include "shared/geometry.h"
 #include "shared/light.h"
+#include "shared/material.h"
 #include "shared/surfel.h"
 #include "shared/types.h"
 

@@ -40,11 +40,10 @@ bool crowded_footprint_visible(const TileView& tile, Texel corner, float fx, flo
         const Texel texel = fold_texel({corner.x + k % 4 - 1, corner.y + k / 4 - 1}, tile.n);
         const int triangle = tile.hits[tile_index(texel, tile.n)].triangle;
         if (triangle < 0) continue;
-        if (tile.scene.triangles[triangle].plane == own) {
+        if (tile.scene.triangles[triangle].plane == own)
             shown = shown || k == 5 || k == 6 || k == 9 || k == 10;
-        } else if (segment_crosses(tile, triangle, x)) {
+        else if (segment_crosses(tile, triangle, x))
             return false;
-        }
     }
     return shown || hiding_weight(tile, corner, fx, fy, x, own) <= 0.5F;
 }
