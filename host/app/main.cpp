@@ -4,6 +4,7 @@
 #include <new>
 
 #include "app/command_line.h"
+#include "app/interrupt.h"
 #include "app/message.h"
 #include "util/error.h"
 
@@ -21,9 +22,13 @@ ExitCode guarded(int argc, char** argv) {
         const ExitCode code = run_command_line(argc, argv);
         check_standard_output();
         return code;
+    } catch (const DeviceError& error) {
+        // A driver that is building a kernel may be what a signal ended.
+        const bool interrupted = interrupted_by() != 0;
+        print_error(interrupted ? "interrupted before there was an image; nothing is written" : error.what(), LineBreaks::keep);
+        return interrupted ? ExitCode::interrupted : error.code();
     } catch (const Error& error) {
-        const bool log = error.code() == ExitCode::device || error.code() == ExitCode::memory;
-        print_error(error.what(), log ? LineBreaks::keep : LineBreaks::escape);
+        print_error(error.what(), error.code() == ExitCode::memory ? LineBreaks::keep : LineBreaks::escape);
         if (error.code() == ExitCode::usage) std::cerr << "Run with --help for the options.\n";
         return error.code();
     } catch (const std::bad_alloc&) {

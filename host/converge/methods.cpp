@@ -18,7 +18,7 @@ constexpr double first_seconds = 0.25;  // doubled from step to step
 Budget pencil_budget(int step, RenderOptions base, const std::string& flags) {
     const double most = 1 << 20;
     base.pencils = base.light_samples = static_cast<int>(std::lround(std::min(first_pencils * std::pow(growth, step), most)));
-    return {base, fmt::format("--pencils {0} --light-samples {0}{1}", base.pencils, flags)};
+    return {base, fmt::format("--method line --pencils {0} --light-samples {0}{1}", base.pencils, flags)};
 }
 
 MeasuredMethod pencil_method(const std::string& name, const std::string& summary, const RenderOptions& base, const std::string& flags) {

@@ -1,4 +1,7 @@
 // Mean radiance of a pencil set: every interior texel counts once, gutters do not.
+#include <fstream>
+#include <sstream>
+
 #include "kernels/kernel_test.h"
 #include "line/sum_radiance.h"
 #include "reference/tolerances.h"
@@ -28,6 +31,19 @@ TEST(SumRadiance, MeanOfInteriorTexels) {
                          "n " + std::to_string(n) + " tiles " + std::to_string(tiles));
         }
     }
+}
+
+std::string text_of(const std::string& file) {
+    std::ifstream in(PENCIL_SOURCE_DIR + ("/" + file));
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+TEST(AddingAKernelPage, ShowsTheKernelAndItsLauncher) {
+    const std::string page = text_of("docs/adding_a_kernel.md");
+    for (const char* file : {"kernels/sum_radiance.cl", "host/line/sum_radiance.cpp"})
+        EXPECT_NE(page.find(text_of(file)), std::string::npos) << "docs/adding_a_kernel.md and " << file << " differ";
 }
 
 }  // namespace
