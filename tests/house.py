@@ -27,6 +27,12 @@ def below(folder):
     return seen
 
 
+def include_folders(build, folder):
+    """Of the project; system folders are the compiler's own business."""
+    lines = (build / "house" / f"pencil_{folder.replace('/', '_')}.dirs").read_text().split("\n")
+    return [line for line in lines if "/headers/" in line]
+
+
 def reachable(directories):
     """Folders of host/ whose headers the include folders hold."""
     found = set()
@@ -50,12 +56,11 @@ def main():
     compiler, build = sys.argv[1], pathlib.Path(sys.argv[2])
     wrong = []
     for folder in USES:
-        lines = (build / "house" / f"pencil_{folder.replace('/', '_')}.dirs").read_text().split("\n")
-        directories = [line for line in lines if "/headers/" in line]
+        directories = include_folders(build, folder)
         extra, missing = reachable(directories) - below(folder), below(folder) - reachable(directories)
         wrong += [f"{folder} sees headers of {other}" for other in sorted(extra)]
         wrong += [f"{folder} does not see headers of {other}" for other in sorted(missing)]
-    device = (build / "house" / "pencil_device.dirs").read_text().split("\n")
+    device = include_folders(build, "device")
     if not compiles(compiler, device, "options/layer.h"):
         wrong.append("device cannot include options/layer.h, which it may")
     if compiles(compiler, device, "film/bounce_series.h"):
