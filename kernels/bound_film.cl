@@ -1,11 +1,15 @@
 // Where on the film each triangle may be seen: found once for all visibility samples.
 
+#include "lib/triangle.cl"
+#include "shared/camera.h"
+#include "shared/geometry.h"
+
 /// Depth below which a corner is clipped before it is projected.
 #define FILM_NEAREST 1e-6f
 
 /// Bounds of the projection of the part of a triangle (corners relative to the pinhole) in front of it: (min px, min py, max px, max py).
 /// `to_film` rows give px, py and depth of a point as (row0 . p) / (row2 . p), (row1 . p) / (row2 . p), row2 . p.
-inline float4 film_bounds(const float4 *p, const float4 *to_film) {
+static inline float4 film_bounds(const float4 *p, const float4 *to_film) {
     float4 bounds = (float4)(INFINITY, INFINITY, -INFINITY, -INFINITY);
     for (int i = 0; i < 3; ++i) {
         float4 a = p[i];

@@ -1,11 +1,15 @@
 // Groups the visibility samples of each pixel into surfels: a pixel is shaded once per surface that it shows, and antialiased over all
 // of its samples. Interior pixels have one surfel, edges a few.
 
+#include "shared/camera.h"
+#include "shared/film.h"
+#include "shared/geometry.h"
+
 /// Samples of one shape join if they show one plane, or if their facets are nearly parallel and the points lie near each other's plane.
 #define JOIN_COSINE 0.98f
 #define JOIN_SLOPE 0.25f
 
-inline bool joins(Hit a, Hit b, float4 da, float4 db, global const Triangle *triangles, global const float4 *planes) {
+static inline bool joins(Hit a, Hit b, float4 da, float4 db, global const Triangle *triangles, global const float4 *planes) {
     global const Triangle *ta = triangles + a.triangle;
     global const Triangle *tb = triangles + b.triangle;
     if (ta->plane == tb->plane) return true;

@@ -1,6 +1,11 @@
 // Film pencils: surface pencils on a lattice of pixels that is refined where their irradiance does not reach. A pixel at level `spacing`
 // lies between four lattice points, whose coordinates are multiples of spacing or the film's last row or column.
 
+#include "lib/film_lattice.cl"
+#include "lib/surface_pencil.cl"
+#include "shared/film.h"
+#include "shared/surface_pencil.h"
+
 /// launch : 1-D, one work-item per pixel
 /// in     : surfels of the film with their numbering; pencil_at[pixel]: film pencil of a pixel, -1: none; coarsest: largest spacing
 /// in/out : uncovered[capacity]: 1 on entry for surfels in question; 1 if the least reuse_error of the lattice points about the surfel's

@@ -1,6 +1,10 @@
 // Emission that surface pencils see. Light samples weigh 1/r^2 by r^2 / (r^2 + A/pi) (light_sample.cl); what that leaves out, near an
 // emitter, is seen here: the two shares of every emitter's light add up to all of it, and neither is unbounded.
 
+#include "shared/geometry.h"
+#include "shared/surface_pencil.h"
+#include "shared/surfel.h"
+
 /// launch : 1-D, one work-item per surfel of pencils first_pencil .. , n x n entries per pencil
 /// in     : surfels (trace_hemispheres); pencils; materials; near_area[material]: A/pi of the emitter's light samples [scene units^2],
 ///          INFINITY if it has none

@@ -1,5 +1,8 @@
 // Emitted radiance of surfels: the initial gather of L_e (thesis 6.1.3), or the emission layer of the film.
 
+#include "shared/geometry.h"
+#include "shared/surfel.h"
+
 /// launch : 1-D, one work-item per surfel
 /// in     : surfels; materials; carried_only 1: only emitters that the pencil maps carry (the "emission" form), 0: all
 /// in/out : radiance[3][capacity], the emitted radiance of surfels seen from their front is added

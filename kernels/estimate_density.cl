@@ -1,11 +1,15 @@
 // Directional pencil density of the texels of a pencil set: thesis eq. (5.32), alg. 6.1.
 
+#include "lib/octahedral.cl"
+#include "lib/packet.cl"
+#include "lib/surfel_packet.cl"
+
 /// Exponents run from 2^0 to 2^MAX_DOUBLINGS.
 #define MAX_DOUBLINGS 9
 
 /// log2 of the exponent beta for a surfel that sees n_v pencils. DEVIATION: the thesis sets beta by hand; here beta = 5 n_v^(1/3), the
 /// bandwidth law of spherical kernel estimates with the constant measured for this estimator, rounded to a power of two.
-inline int density_doublings(int visible) { return clamp((int)rint(log2(5.0f * cbrt((float)max(visible, 1)))), 0, MAX_DOUBLINGS); }
+static inline int density_doublings(int visible) { return clamp((int)rint(log2(5.0f * cbrt((float)max(visible, 1)))), 0, MAX_DOUBLINGS); }
 
 /// launch : 1-D, one work-item per packet of PENCIL_WIDTH surfels of tiles first_tile .. (surfel order of gather_surfels, a packet lies
 ///          in one tile)

@@ -1,5 +1,10 @@
 // Writes the surfels of the film: one per surface that a pixel shows, at the sample nearest to the middle of that surface's samples.
 
+#include "lib/surfel.cl"
+#include "shared/camera.h"
+#include "shared/film.h"
+#include "shared/geometry.h"
+
 /// launch : 1-D, one work-item per pixel of a strip of rows
 /// in     : hits, slots, counts of the strip; first_surfel[pixel] of the whole film
 /// out    : surfels

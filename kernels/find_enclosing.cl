@@ -1,13 +1,17 @@
 // Finds centres of projection inside solids from their own geometry maps: inside a solid one sees the backs of its faces.
 
+#include "lib/octahedral.cl"
+#include "lib/triangle.cl"
+#include "shared/geometry.h"
+
 /// Solid angle of a texel from its direction of unit L1 norm: du dv / |d|^3 (Jacobian of the octahedral map), texel area (2/n)^2.
-inline float texel_solid_angle(float4 direction, int n) {
+static inline float texel_solid_angle(float4 direction, int n) {
     float inverse = rsqrt(dot(direction.xyz, direction.xyz));
     return 4.0f / ((float)n * n) * inverse * inverse * inverse;
 }
 
 /// Shape whose back a texel shows, -1 if it shows a front or nothing.
-inline int back_shape(Hit hit, global const Triangle *triangles, global const float4 *planes, float4 cop) {
+static inline int back_shape(Hit hit, global const Triangle *triangles, global const float4 *planes, float4 cop) {
     if (hit.triangle < 0) return -1;
     return plane_ahead(planes[triangles[hit.triangle].plane], cop) > 0.0f ? triangles[hit.triangle].shape : -1;
 }

@@ -1,5 +1,9 @@
 // Finds which sides of which shapes each centre of projection sees. Centres that see a side in common lie in one connected space.
 
+#include "lib/octahedral.cl"
+#include "lib/triangle.cl"
+#include "shared/geometry.h"
+
 /// launch : 1-D, one work-item per tile
 /// in     : hits of tile_count tiles of n x n, cops; triangles, planes, materials
 /// out    : sides[tile * words ..]: bit 2 s of the row is set if the tile shows the front of shape s, bit 2 s + 1 if it shows the back and

@@ -1,11 +1,16 @@
 // Completes geometry maps: gutters of the hit atlas, and for every 2x2 footprint what visibility tests need to know first.
 
+#include "lib/octahedral.cl"
+#include "lib/triangle.cl"
+#include "shared/atlas.h"
+#include "shared/geometry.h"
+
 /// Disparity of a whole plane along `direction`, whether it is what is seen there or not.
-inline float plane_disparity(float4 plane, float4 cop, float4 direction) { return dot(plane.xyz, direction.xyz) / plane_ahead(plane, cop); }
+static inline float plane_disparity(float4 plane, float4 cop, float4 direction) { return dot(plane.xyz, direction.xyz) / plane_ahead(plane, cop); }
 
 /// True if, within a footprint that shows both, surfels on plane a can be hidden by plane b: where b is shown it is the nearer of the two.
 /// Where b is shown although it is the farther (a convex edge, or the far side of a silhouette), nothing of a is there: it would be seen.
-inline bool plane_hides(const int *shown, const float4 *planes, const float4 *directions, int a, int b, float4 cop) {
+static inline bool plane_hides(const int *shown, const float4 *planes, const float4 *directions, int a, int b, float4 cop) {
     for (int k = 0; k < 4; ++k)
         if (shown[k] == shown[b] && plane_disparity(planes[b], cop, directions[k]) >= plane_disparity(planes[a], cop, directions[k]))
             return true;
@@ -14,7 +19,7 @@ inline bool plane_hides(const int *shown, const float4 *planes, const float4 *di
 
 /// The first triangle of each group of mates that a footprint and the texels next to it show, ascending, with GROUP_INNER where the
 /// footprint itself shows one of them; -1 in the places left; CELL_MIXED in x if there are more than four groups.
-inline int4 groups_around(int tile, int2 texel, int n, global const Hit *hits, global const Triangle *triangles) {
+static inline int4 groups_around(int tile, int2 texel, int n, global const Hit *hits, global const Triangle *triangles) {
     int group[4] = {-1, -1, -1, -1}, low[4] = {-1, -1, -1, -1}, high[4] = {-1, -1, -1, -1};
     int count = 0;
     for (int k = 0; k < 16; ++k) {
@@ -47,7 +52,7 @@ inline int4 groups_around(int tile, int2 texel, int n, global const Hit *hits, g
 
 /// True if somewhere on the border of the footprint plane t is nearer than both a and b. Disparities are linear along the border's four
 /// sides, so t - a and t - b are, and are positive on intervals.
-inline bool reaches_between(float4 t, float4 a, float4 b, const float4 *directions, float4 cop) {
+static inline bool reaches_between(float4 t, float4 a, float4 b, const float4 *directions, float4 cop) {
     const int around[5] = {0, 1, 3, 2, 0};
     for (int side = 0; side < 4; ++side) {
         float4 from = directions[around[side]], to = directions[around[side + 1]];

@@ -2,11 +2,14 @@
 // before the next surface. For n centres uniform in the free volume the density per solid angle is p = n d^3 / (3 volume), d the free path
 // of the line through pencil and point. Both ends of the line stand in the pencil's own map, at a texel and at its antipode.
 
+#include "lib/octahedral.cl"
+#include "shared/geometry.h"
+
 /// Share of a uniform density over the hemisphere that is added to p, relative to n pencils.
 #define UNIFORM_SHARE 0.02f
 
 /// Euclidean distance from cop to what a texel sees, or to where the ray leaves the box in which centres lie.
-inline float free_distance(Hit hit, float4 cop, float4 direction, float4 low, float4 high) {
+static inline float free_distance(Hit hit, float4 cop, float4 direction, float4 low, float4 high) {
     float3 ends = select(low.xyz, high.xyz, direction.xyz > 0.0f) - cop.xyz;
     float3 exits = select(ends / direction.xyz, (float3)(MAXFLOAT), direction.xyz == 0.0f);
     float end = fmax(fmin(exits.x, fmin(exits.y, exits.z)), 0.0f);

@@ -1,5 +1,9 @@
 // Gather Q of a pencil: the surfels that its texels see (thesis eq. (5.1); h(c, -w) of eq. (5.14)).
 
+#include "lib/octahedral.cl"
+#include "lib/surfel.cl"
+#include "shared/geometry.h"
+
 /// launch : 1-D, one work-item per texel of `tile_count` tiles; surfels of a tile in the order of oct_surfel_texel
 /// in     : hits, cops, scene
 /// out    : surfels, structure of arrays of `capacity`

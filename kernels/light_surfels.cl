@@ -1,7 +1,16 @@
 // Direct light of surfels from the light samples (thesis alg. 6.2), each with its own geometry map for visibility.
 
+#include "lib/light_sample.cl"
+#include "lib/packet.cl"
+#include "lib/packet_visibility.cl"
+#include "lib/surfel_packet.cl"
+#include "lib/visibility.cl"
+#include "shared/bvh.h"
+#include "shared/geometry.h"
+#include "shared/light.h"
+
 /// Aims one packet at sample i; the weight is the geometry term.
-inline void aim_at_sample(const SurfelPacket *s, const VisibilityMap *map, global const LightSample *sample, float4 cop, int i,
+static inline void aim_at_sample(const SurfelPacket *s, const VisibilityMap *map, global const LightSample *sample, float4 cop, int i,
                           Aimed *aimed) {
     vfloat vx = s->x - cop.x, vy = s->y - cop.y, vz = s->z - cop.z;
     aimed->weight = sample_weight(s, sample, vx, vy, vz);
@@ -10,7 +19,7 @@ inline void aim_at_sample(const SurfelPacket *s, const VisibilityMap *map, globa
 }
 
 /// Irradiance of one packet from sample i, added to rgb.
-inline void add_light_sample(const SurfelPacket *s, const VisibilityMap *map, float4 emission, float4 cop, int i, const Aimed *aimed,
+static inline void add_light_sample(const SurfelPacket *s, const VisibilityMap *map, float4 emission, float4 cop, int i, const Aimed *aimed,
                              vfloat *rgb) {
     int lit = packet_visible(s, map, aimed, i, cop);
     if (!lit) return;

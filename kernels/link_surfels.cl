@@ -1,5 +1,9 @@
 // Which surface pencils light each texel of the surface pencils, once for all bounces.
 
+#include "lib/pencil_grid.cl"
+#include "shared/surface_pencil.h"
+#include "shared/surfel.h"
+
 /// launch : 1-D, one work-item per surfel
 /// in     : surfels; pencils and their grid
 /// out    : links[surfel_count]: pencils, -1: none; factors[surfel_count]: their weights

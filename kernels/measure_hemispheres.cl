@@ -1,16 +1,20 @@
 // What a surface pencil knows of the geometry about it: harmonic mean distance and horizon.
 
+#include "lib/hemisphere.cl"
+#include "shared/surface_pencil.h"
+#include "shared/surfel.h"
+
 /// Planes nearer to a pencil than this count as this far away [scene units].
 #define HORIZON_TINY 1e-7f
 
 /// From the pencil to surfel i [scene units].
-inline float3 step_to_surfel(global const float *surfels, size_t capacity, size_t i, global const SurfacePencil *pencil) {
+static inline float3 step_to_surfel(global const float *surfels, size_t capacity, size_t i, global const SurfacePencil *pencil) {
     global const float *s = surfels + i;
     return (float3)(s[SURFEL_X * capacity], s[SURFEL_Y * capacity], s[SURFEL_Z * capacity]) - pencil->position.xyz;
 }
 
 /// The line in which the plane of surfel i cuts the tangent plane of the pencil, as SurfacePencil.horizon_x, horizon_y.
-inline float2 horizon_line(global const float *surfels, size_t capacity, size_t i, global const SurfacePencil *pencil) {
+static inline float2 horizon_line(global const float *surfels, size_t capacity, size_t i, global const SurfacePencil *pencil) {
     global const float *s = surfels + i;
     float3 g = (float3)(s[SURFEL_GX * capacity], s[SURFEL_GY * capacity], s[SURFEL_GZ * capacity]), t, b;
     tangent_frame(pencil->normal.xyz, &t, &b);

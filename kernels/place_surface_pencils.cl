@@ -1,5 +1,8 @@
 // Puts surface pencils on surfels.
 
+#include "shared/surface_pencil.h"
+#include "shared/surfel.h"
+
 /// How much nearer: well above the rounding of positions, and a small share of the distance [scene units].
 #define PLACE_NEARER 3e-5f
 #define PLACE_SHARE 1e-2f

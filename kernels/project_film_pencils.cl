@@ -1,14 +1,21 @@
 // Local projection to the film: every surfel takes its irradiance from the film pencils at the lattice points about its pixel.
 
+#include "lib/film_lattice.cl"
+#include "lib/hemisphere.cl"
+#include "lib/surface_pencil.cl"
+#include "shared/film.h"
+#include "shared/surface_pencil.h"
+#include "shared/surfel.h"
+
 /// What smooth_irradiance says at `step` from the pencil.
-inline float3 fitted_irradiance(global const float4 *fit, global const SurfacePencil *pencil, float3 step) {
+static inline float3 fitted_irradiance(global const float4 *fit, global const SurfacePencil *pencil, float3 step) {
     float3 t, b;
     tangent_frame(pencil->normal.xyz, &t, &b);
     return fmax(fit[0].xyz + dot(step, t) * fit[1].xyz + dot(step, b) * fit[2].xyz, (float3)(0.0f));
 }
 
 /// Scattering K by the diffuse BRDF albedo / pi.
-inline void add_reflected(global const float *surfels, size_t capacity, int i, float3 irradiance, global float *outgoing) {
+static inline void add_reflected(global const float *surfels, size_t capacity, int i, float3 irradiance, global float *outgoing) {
     global const float *s = surfels + i;
     float3 albedo = (float3)(s[SURFEL_ALBEDO_R * capacity], s[SURFEL_ALBEDO_G * capacity], s[SURFEL_ALBEDO_B * capacity]);
     float3 radiance = albedo * irradiance * M_1_PI_F;

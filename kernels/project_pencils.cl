@@ -2,6 +2,13 @@
 // serves pencil transport (surfels of the next set's texels) and projection-scatter (surfels of the film): it is the hot loop. How much
 // each pencil counts is said by lib/weights_density.cl or lib/weights_voronoi.cl, one of which is built in.
 
+#include "lib/packet.cl"
+#include "lib/projection.cl"
+#include "lib/surfel_packet.cl"
+#include "lib/visibility.cl"
+#include "lib/weights.cl"
+#include "shared/geometry.h"
+
 /// launch : 1-D, one work-item per block of PENCIL_BLOCK packets of PENCIL_WIDTH surfels
 /// in     : surfels of `capacity` (a multiple of PENCIL_BLOCK * PENCIL_WIDTH); cops[pencil_count]; radiance, cells, groups, hits:
 ///          tiles of n x n of those pencils; directions: table of CellDirections with direction_tiles

@@ -1,5 +1,9 @@
 // Local projection R and scattering K: the irradiance of the surface pencils near each surfel, reflected.
 
+#include "lib/pencil_grid.cl"
+#include "shared/surface_pencil.h"
+#include "shared/surfel.h"
+
 /// launch : 1-D, one work-item per surfel
 /// in     : surfels; pencils, their irradiance and their grid
 /// out    : outgoing[3][capacity] [W m^-2 sr^-1], added to

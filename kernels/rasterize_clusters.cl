@@ -1,10 +1,16 @@
 // Geometry maps as rasterize_octahedral.cl makes them, leaving out clusters of triangles that cannot change the octant.
 
+#include "lib/octahedral.cl"
+#include "lib/octant.cl"
+#include "lib/raster.cl"
+#include "shared/cluster.h"
+#include "shared/geometry.h"
+
 /// Relative slack of a cluster's disparity: its triangles' disparities are rounded.
 #define DISPARITY_SLACK 1e-5f
 
 /// True if a texel of rings ku, kv (ranges) of the octant shows nothing nearer than `disparity`.
-inline bool octant_shows(const Octant *o, int2 ku, int2 kv, float disparity) {
+static inline bool octant_shows(const Octant *o, int2 ku, int2 kv, float disparity) {
     int half_n = o->n / 2;
     for (int k = kv.x; k <= kv.y; ++k) {
         int k0 = o->s.z > 0.0f ? ku.x : max(ku.x, half_n - k);
@@ -19,7 +25,7 @@ inline bool octant_shows(const Octant *o, int2 ku, int2 kv, float disparity) {
 }
 
 /// False if the part of the box in the octant holds no texel's centre, or lies behind all that those texels show.
-inline bool cluster_matters(const Octant *o, global const Cluster *cluster) {
+static inline bool cluster_matters(const Octant *o, global const Cluster *cluster) {
     float4 s = (float4)(o->s, 0.0f);
     float4 a = (cluster->low - o->cop) * s, b = (cluster->high - o->cop) * s;
     float4 high = fmax(a, b);

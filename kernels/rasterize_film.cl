@@ -1,5 +1,10 @@
 // What the camera sees, by the core of the octahedral rasteriser: the film is one more linear projection.
 
+#include "lib/raster.cl"
+#include "lib/triangle.cl"
+#include "shared/camera.h"
+#include "shared/geometry.h"
+
 /// Slack of the bounding box [pixels].
 #define FILM_SLACK 1e-2f
 

@@ -1,5 +1,8 @@
 // Geometry maps: what each texel of each octahedral tile sees, by eight linear projections (thesis 4.3.1, table 4.2 with the flip 4.17).
 
+#include "lib/octant.cl"
+#include "shared/geometry.h"
+
 /// Renders the scene into octahedral tiles.   thesis 4.3.1; 6.1.2 "depth textures"
 /// launch : 1-D, eight work-items per tile, one per octant; their texels are disjoint, so no atomics are needed
 /// in     : triangles[triangle_count], planes, cops[first_tile + tile] (xyz, scene units), n even

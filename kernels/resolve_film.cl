@@ -1,5 +1,7 @@
 // Surfel values to pixels by the reconstruction filter, over all visibility samples of all pixels in its support.
 
+#include "shared/film.h"
+
 /// launch : 1-D, one work-item per pixel
 /// in     : values, fields first_field .. first_field + 2 of [field][capacity]; slots, counts, first_surfel; weights[(2 reach + 1)^2 *
 /// sample_count]: the filter at each sample of each

@@ -1,8 +1,18 @@
 // Direct light of surfels that are read only in the mean, such as the texels of surface pencils: every packet draws a few of the light
 // samples in proportion to what they would send it if nothing stood between, and follows rays to those.
 
+#include "lib/hash.cl"
+#include "lib/light_sample.cl"
+#include "lib/packet.cl"
+#include "lib/packet_visibility.cl"
+#include "lib/surfel_packet.cl"
+#include "lib/visibility.cl"
+#include "shared/bvh.h"
+#include "shared/geometry.h"
+#include "shared/light.h"
+
 /// What sample i would send to a packet: the sum over its surfels.
-inline float sample_importance(const SurfelPacket *s, global const LightSample *sample) {
+static inline float sample_importance(const SurfelPacket *s, global const LightSample *sample) {
     float4 cop = sample->position, e = sample->emission;
     return packet_sum(sample_weight(s, sample, s->x - cop.x, s->y - cop.y, s->z - cop.z)) * (e.x + e.y + e.z);
 }

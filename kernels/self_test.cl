@@ -1,6 +1,9 @@
 // Known answers: what the other kernels take for granted about a device and its compiler, each next to the host's own answer in
 // host/cl/self_test.cpp. Inputs come from memory, so that the compiler cannot work the answers out itself.
 
+#include "lib/packet.cl"
+#include "self_test_layout.h"
+
 #define SELF_TEST_SIZE(T) out[i++] = (uint)sizeof(T);
 #define SELF_TEST_FIELD(T, member)                                                 \
     {                                                                              \

@@ -1,6 +1,9 @@
 // Sizes and offsets of the structs that host and device share, as one list for both: SIZE(type) and FIELD(type, member).
-#ifndef PENCIL_SELF_TEST_LAYOUT_H
-#define PENCIL_SELF_TEST_LAYOUT_H
+#pragma once
+
+#include "shared/camera.h"
+#include "shared/geometry.h"
+#include "shared/light.h"
 
 // clang-format off
 #define PENCIL_LAYOUT(SIZE, FIELD)                                                                                                  \
@@ -18,5 +21,3 @@
     FIELD(Camera, origin) FIELD(Camera, corner) FIELD(Camera, step_x) FIELD(Camera, step_y)                                         \
     FIELD(Camera, width) FIELD(Camera, height) FIELD(Camera, near_clip) FIELD(Camera, far_clip)
 // clang-format on
-
-#endif

@@ -1,6 +1,10 @@
 // Irradiance of film pencils, each fitted with its neighbours on the lattice: a linear function of position, so that slopes stay and noise
 // averages out.
 
+#include "lib/hemisphere.cl"
+#include "lib/surface_pencil.cl"
+#include "shared/surface_pencil.h"
+
 /// Neighbours to each side.
 #define SMOOTH_REACH 2
 /// Share of the neighbours' weight that holds slopes at 0: decides where neighbours lie on one side or in a line.

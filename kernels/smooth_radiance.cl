@@ -1,5 +1,8 @@
 // Completes radiance maps: smooths over a texel and fills the gutters by folding, so that bilinear look-ups are seamless.
 
+#include "lib/octahedral.cl"
+#include "shared/atlas.h"
+
 /// launch : 1-D, one work-item per texel of `tile_count` tiles, gutters included
 /// in     : sharp, atlas layout, interior texels of tiles 0 .. tile_count
 /// out    : radiance, atlas layout, tiles first_tile ..: rgb is the binomial mean (1 2 1)^2 / 16 of the sharp texels around; w is kept

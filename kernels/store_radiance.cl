@@ -1,6 +1,8 @@
 // Completes the pencil transport operator: E o Q of thesis eq. (5.7). The radiance that leaves a surfel towards its centre of projection
 // passes through it and travels on in the same direction, so it belongs to the antipode of the texel that sees the surfel.
 
+#include "lib/octahedral.cl"
+
 /// launch : 1-D, one work-item per texel of `tile_count` tiles
 /// in     : outgoing[3][capacity], surfel order of gather_surfels
 /// out    : radiance, atlas layout, rgb of interior texels (w, the density weight, is left alone)

@@ -1,5 +1,7 @@
 // Mean radiance of pencil maps: tells how much light is still under way, so that bounces can stop.
 
+#include "lib/octahedral.cl"
+
 /// launch : 1-D, one work-item per tile; the sum runs in a fixed order
 /// in     : radiance, atlas layout, interior texels
 /// out    : means[tile]: rgb mean over the texels

@@ -1,7 +1,13 @@
 // Which pencils each surfel sees, one bit each: V(x, c_i) of thesis eq. (5.17) for a whole set.
 
+#include "lib/packet.cl"
+#include "lib/packet_visibility.cl"
+#include "lib/surfel_packet.cl"
+#include "lib/visibility.cl"
+#include "shared/geometry.h"
+
 /// Aims one packet at pencil i.
-inline void aim_at_centre(const SurfelPacket *s, const VisibilityMap *map, float4 cop, int i, Aimed *aimed) {
+static inline void aim_at_centre(const SurfelPacket *s, const VisibilityMap *map, float4 cop, int i, Aimed *aimed) {
     vfloat vx = s->x - cop.x, vy = s->y - cop.y, vz = s->z - cop.z;
     aimed->faces = PACKET_BITS(PACKET_MASK(packet_cosine_towards(s, vx, vy, vz) > 0.0f));
     if (aimed->faces) aim_packet(map, i, vx, vy, vz, aimed);

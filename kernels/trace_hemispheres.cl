@@ -1,5 +1,14 @@
 // Gather Q of surface pencils: the surfels that the texels of their hemispheres see, by packets of rays through the hierarchy.
 
+#include "lib/bvh.cl"
+#include "lib/hash.cl"
+#include "lib/hemisphere.cl"
+#include "lib/packet.cl"
+#include "lib/surfel.cl"
+#include "shared/bvh.h"
+#include "shared/geometry.h"
+#include "shared/surface_pencil.h"
+
 /// launch : 1-D, one work-item per packet of PENCIL_WIDTH texels of pencils first_pencil .. ; n * n entries per pencil, in the order of
 ///          hemisphere_texel
 /// in     : pencils (position, normal, facing, plane, key); the scene and its hierarchy; seed: of the points within texels; shift: of all

@@ -1,5 +1,13 @@
 // Geometry maps as rasterize_octahedral.cl makes them, by packets of rays through the hierarchy.
 
+#include "lib/bvh.cl"
+#include "lib/octahedral.cl"
+#include "lib/packet.cl"
+#include "lib/triangle.cl"
+#include "shared/atlas.h"
+#include "shared/bvh.h"
+#include "shared/geometry.h"
+
 /// launch : 1-D, one work-item per packet of PENCIL_WIDTH texels of tiles first_tile .. ; a tile's texels in the order of oct_block_texel
 /// in     : cops[first_tile + tile] (xyz, scene units); the scene and its hierarchy
 /// out    : as rasterize_octahedral

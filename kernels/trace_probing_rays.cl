@@ -1,5 +1,11 @@
 // What probing rays meet, on which centres of projection are placed (thesis 6.2.2).
 
+#include "lib/bvh.cl"
+#include "lib/packet.cl"
+#include "lib/surfel.cl"
+#include "shared/bvh.h"
+#include "shared/geometry.h"
+
 /// launch : 1-D, one work-item per ray; there are few of them, all from other origins, so each fills a packet with itself
 /// in     : origins[count], directions[count] (unit length), own[count]: the plane that each starts on, -1: none; the scene and its
 ///          hierarchy

@@ -1,5 +1,7 @@
 // One bounce between surface pencils: P = Q K R on a fixed set, in terms of irradiance.
 
+#include "shared/surfel.h"
+
 /// launch : 1-D, one work-item per pencil
 /// in     : surfels (albedo), links, factors: n x n entries per pencil; source[pencil_count]: irradiance of order k
 /// in/out : target[pencil_count]: irradiance of order k + 1 is added; total[pencil_count]: target is added

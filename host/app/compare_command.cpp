@@ -1,20 +1,21 @@
 // `pencil compare`: the error of an image against a reference, as a table or as JSON, and where it lies.
 // The keys of the JSON are a contract: `schema` counts incompatible changes. Undefined numbers are null, with the reason in `undefined`;
 // the PSNR of equal images, which is infinite, is null, too.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "app/commands.h"
 #include "app/message.h"
-#include "app/units.h"
 #include "compare/compare_images.h"
 #include "compare/difference_image.h"
 #include "compare/image_layers.h"
 #include "options/option_values.h"
+#include "util/format.h"
 #include "util/output_file.h"
 
 namespace pencil {
@@ -25,8 +26,8 @@ using Json = nlohmann::ordered_json;
 constexpr int schema = 1;
 
 std::string non_finite_text(const std::string& layer, const std::string& file, const NonFinite& found) {
-    return "layer " + layer + " of " + file + ": " + std::to_string(found.values) + " values are NaN or infinite, the first in channel " +
-           found.channel + " at pixel (" + std::to_string(found.x) + ", " + std::to_string(found.y) + ")";
+    return fmt::format("layer {} of {}: {} values are NaN or infinite, the first in channel {} at pixel ({}, {})", layer, file,
+                       found.values, found.channel, found.x, found.y);
 }
 
 std::vector<std::string> all_warnings(const Comparison& comparison, const CompareCommand& command) {
@@ -38,47 +39,45 @@ std::vector<std::string> all_warnings(const Comparison& comparison, const Compar
             }
         }
         if (layer.metrics.excluded > 0) {
-            warnings.push_back("layer " + layer.name + ": " + std::to_string(layer.metrics.excluded) +
-                               " pixels are left out of all averages");
+            warnings.push_back(fmt::format("layer {}: {} pixels are left out of all averages", layer.name, layer.metrics.excluded));
         }
     }
     return warnings;
 }
 
 /// Cells of a table's row after the layer's name.
-std::vector<std::string> row(const Metrics& m) {
+std::vector<std::string> cells(const Metrics& m) {
     const auto defined = [](double value, const std::string& text) { return std::isnan(value) ? "-" : text; };
     return {defined(m.rmse, format_short(m.rmse)), defined(m.rel_mse, format_short(m.rel_mse)),
             defined(m.mean_ratio, format_fixed(m.mean_ratio, 4)), defined(m.psnr, format_fixed(m.psnr, 2)),
             m.lab_rms ? defined(*m.lab_rms, format_short(*m.lab_rms)) : "-"};
 }
 
-void print_table(const Comparison& comparison, const CompareCommand& command) {
-    const auto cell = [](const std::string& text) { std::cout << std::right << std::setw(12) << text; };
-    std::cout << "image      " << printable(command.image.string()) << "\nreference  " << printable(command.reference.string())
-              << "\nsize       " << comparison.width << "x" << comparison.height << ", exposure of displayed colours "
-              << format_short(comparison.exposure) << "\n\n"
-              << std::left << std::setw(12) << "layer";
-    for (const char* title : {"RMSE", "relMSE", "mean ratio", "PSNR dB", "L*a*b* RMS"}) {
-        cell(title);
+void print_row(const std::string& name, const std::vector<std::string>& cells) {
+    std::string line = fmt::format("{:<11} ", name);
+    for (const std::string& cell : cells) {
+        line += fmt::format("{:>12}", cell);
     }
-    std::cout << "\n";
+    std::cout << line << "\n";
+}
+
+void print_table(const Comparison& comparison, const CompareCommand& command) {
+    std::cout << fmt::format("image      {}\nreference  {}\nsize       {}, exposure of displayed colours {}\n\n",
+                             printable(command.image.string()), printable(command.reference.string()),
+                             format_extent(comparison.width, comparison.height), format_short(comparison.exposure));
+    print_row("layer", {"RMSE", "relMSE", "mean ratio", "PSNR dB", "L*a*b* RMS"});
     for (const LayerComparison& layer : comparison.layers) {
-        std::cout << std::left << std::setw(11) << printable(layer.name) << " ";
-        for (const std::string& text : row(layer.metrics)) {
-            cell(text);
-        }
-        std::cout << "\n";
+        print_row(printable(layer.name), cells(layer.metrics));
     }
     for (const LayerComparison& layer : comparison.layers) {
         if (const std::string reason = undefined_reason(layer.metrics); !reason.empty()) {
-            std::cout << "-: not defined in " << printable(layer.name) << ": " << reason << "\n";
+            std::cout << fmt::format("-: not defined in {}: {}\n", printable(layer.name), reason);
         }
     }
     for (const auto& [file, names] :
          {std::pair(&command.image, &comparison.only_in_image), std::pair(&command.reference, &comparison.only_in_reference)}) {
         if (!names->empty()) {
-            std::cout << "only in " << printable(file->string()) << ": " << printable(join(*names)) << "\n";
+            std::cout << fmt::format("only in {}: {}\n", printable(file->string()), printable(join(*names)));
         }
     }
 }
@@ -173,8 +172,10 @@ ExitCode run_compare(const CompareCommand& command) {
     }
     print_table(comparison, command);
     if (scale > 0) {
-        std::cout << "wrote      " << printable(command.difference.string()) << ": red where the image is too bright, blue where too dark, "
-                  << "full colour at " << format_short(100 * scale) << " % of the reference\n";
+        std::cout << fmt::format(
+            "wrote      {}: red where the image is too bright, blue where too dark, full colour at {} % of the "
+            "reference\n",
+            printable(command.difference.string()), format_short(100 * scale));
     }
     return ExitCode::ok;
 }

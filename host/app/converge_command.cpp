@@ -1,4 +1,6 @@
 // `pencil converge`: error against run time of every method and the path tracer, as CSV, JSON and a page.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iostream>
 
@@ -34,9 +36,8 @@ std::pair<int, int> image_size(const ConvergeCommand& command, const Scene& scen
 
 /// What repeats this measurement.
 std::string command_text(const ConvergeCommand& command, const ConvergeOptions& options) {
-    std::string text = "pencil converge " + command.scene.string() + " -o " + command.folder.string() + " --resolution " +
-                       std::to_string(options.width) + "x" + std::to_string(options.height) + " --seeds " + std::to_string(options.seeds) +
-                       " --longest " + format_real(options.longest);
+    std::string text = fmt::format("pencil converge {} -o {} --resolution {}x{} --seeds {} --longest {}", command.scene.string(),
+                                   command.folder.string(), options.width, options.height, options.seeds, format_real(options.longest));
     const auto add = [&text](const std::string& option, const std::string& value) {
         text.append(" ").append(option).append(" ").append(value);
     };
@@ -98,7 +99,7 @@ ExitCode run_converge(const ConvergeCommand& command) {
         print_report(report);
     }
     if (!report.finished) {
-        print_error("interrupted after " + std::to_string(report.points.size()) + " runs; the same command goes on from there");
+        print_error(fmt::format("interrupted after {} runs; the same command goes on from there", report.points.size()));
         return ExitCode::interrupted;
     }
     return ExitCode::ok;

@@ -3,7 +3,7 @@
 
 #include "app/commands.h"
 #include "app/message.h"
-#include "app/units.h"
+#include "util/format.h"
 #include "cl/self_test.h"
 
 namespace pencil {

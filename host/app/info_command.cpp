@@ -7,7 +7,7 @@
 
 #include "app/commands.h"
 #include "app/message.h"
-#include "app/units.h"
+#include "util/format.h"
 #include "options/option_values.h"
 #include "scene/mitsuba/load_scene.h"
 

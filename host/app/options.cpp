@@ -1,5 +1,7 @@
 #include "app/options.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <stdexcept>
 #include <tuple>
@@ -80,7 +82,7 @@ Option quiet_row(bool& quiet) { return switch_row("--quiet", quiet, "No progress
 Option depth_row(int& depth) {
     return {"--max-depth",
             "K",
-            "auto, 1 to " + std::to_string(most_depth),
+            fmt::format("auto, 1 to {}", most_depth),
             "the scene's max_depth",
             "Longest paths: 1 emission only, 2 with direct light; auto: no limit",
             "",

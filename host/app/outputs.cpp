@@ -1,12 +1,13 @@
 // Two names can mean one file (./a.exr, links), so files are compared where they exist and canonical paths where they do not.
 #include "app/outputs.h"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <system_error>
 
-#include "app/units.h"
+#include "util/format.h"
 #include "image/write_image.h"
 #include "util/error.h"
 #include "util/output_file.h"
@@ -54,10 +55,9 @@ void check_film_memory(int width, int height, const std::vector<std::string>& ao
     const double needed = static_cast<double>(width) * height * layers * 3 * sizeof(float);
     const double present = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
     if (needed > present) {
-        throw MemoryError("an image of " + std::to_string(width) + "x" + std::to_string(height) + " pixels with about " +
-                          std::to_string(layers) + " layers needs " + format_size(static_cast<std::uint64_t>(needed)) +
-                          ", this machine has " + format_size(static_cast<std::uint64_t>(present)) +
-                          "; try a smaller --resolution or --aov none");
+        throw MemoryError(fmt::format(
+            "an image of {}x{} pixels with about {} layers needs {}, this machine has {}; try a smaller --resolution or --aov none", width,
+            height, layers, format_size(static_cast<std::uint64_t>(needed)), format_size(static_cast<std::uint64_t>(present))));
     }
 }
 

@@ -9,7 +9,7 @@
 #include "app/option_report.h"
 #include "app/options.h"
 #include "app/run_report.h"
-#include "app/units.h"
+#include "util/format.h"
 #include "options/option_values.h"
 #include "util/output_file.h"
 

@@ -1,6 +1,7 @@
 // The report in words, and the image's metadata.
 #include "app/run_report.h"
 
+#include <fmt/format.h>
 #include <sys/resource.h>
 
 #include <cmath>
@@ -9,7 +10,7 @@
 
 #include "app/message.h"
 #include "app/option_report.h"
-#include "app/units.h"
+#include "util/format.h"
 #include "options/option_values.h"
 #include "options/render_option_table.h"
 
@@ -34,12 +35,12 @@ std::string device_line(const DeviceInfo& device) { return printable(device.name
 std::string bounce_line(const RenderStats& stats) {
     if (stats.passes > 0) {
         const bool known = std::isfinite(stats.estimated_error);
-        return "to the end, residual " + format_short(stats.residual) + "\npasses   " + std::to_string(stats.passes) +
-               ", estimated relMSE " + (known ? format_short(stats.estimated_error) : "unknown with one pass") +
-               ", pencils: " + std::to_string(stats.world_pencils) + " in the world, " + std::to_string(stats.film_pencils) +
-               " for the film";
+        return fmt::format("to the end, residual {}\npasses   {}, estimated relMSE {}, pencils: {} in the world, {} for the film",
+                           format_short(stats.residual), stats.passes,
+                           (known ? format_short(stats.estimated_error) : "unknown with one pass"), stats.world_pencils,
+                           stats.film_pencils);
     }
-    std::string line = std::to_string(stats.bounces.size()) + ", residual " + format_short(stats.residual);
+    std::string line = fmt::format("{}, residual {}", stats.bounces.size(), format_short(stats.residual));
     return line + (stats.tail_closed ? ", added as a geometric tail" : "");
 }
 

@@ -7,10 +7,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include "cl/cl_error.h"
-#include "cl/embedded_kernels.h"
+#include "cl/kernel_source.h"
 #include "util/error.h"
 #include "util/log.h"
 
@@ -44,12 +43,6 @@ std::string build_options(const Defines& defines) {
     return options;
 }
 
-std::string join(const std::vector<std::string>& files) {
-    std::string text;
-    for (const std::string& file : files) text.append(text.empty() ? "" : " + ").append(file);
-    return text;
-}
-
 // FNV-1a: names files only, so collisions cost nothing but a file.
 unsigned hash(const std::string& text) {
     unsigned value = 2166136261u;
@@ -57,15 +50,15 @@ unsigned hash(const std::string& text) {
     return value;
 }
 
-void dump_source(const std::string& folder, const std::vector<std::string>& files, const Defines& defines, const std::string& source) {
+void dump_source(const std::string& folder, const std::string& file, const Defines& defines, const std::string& source) {
     const std::string options = build_options(defines);
     char suffix[16];
-    std::snprintf(suffix, sizeof suffix, "-%08x.cl", hash(join(files) + options));
-    const std::filesystem::path path = std::filesystem::path(folder) / (std::filesystem::path(files.back()).stem().string() + suffix);
+    std::snprintf(suffix, sizeof suffix, "-%08x.cl", hash(file + options));
+    const std::filesystem::path path = std::filesystem::path(folder) / (std::filesystem::path(file).stem().string() + suffix);
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     std::ofstream out(path, std::ios::binary);
-    out << "// " << join(files) << "\n// build options: " << build_flags << "\n";
+    out << "// " << file << "\n// build options: " << build_flags << "\n";
     for (const auto& [name, value] : defines) out << "#define " << name << " " << value << "\n";
     out << source;
     if (!out.flush()) log_warning("PENCIL_DUMP_KERNELS: cannot write " + path.string());
@@ -79,59 +72,38 @@ std::string build_log(const cl::Program& program, const cl::Device& device) {
     }
 }
 
-std::string source_on_disk(const std::filesystem::path& path, const std::string& shown_as) {
-    std::ifstream in(path, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    if (!in) throw DeviceError("cannot read the kernel file " + path.string());
-    return "#line 1 \"" + shown_as + "\"\n" + text.str();
-}
-
 }  // namespace
 
-std::string kernel_source(const std::string& file) {
-    const std::filesystem::path path(file);
-    if (path.is_absolute()) return source_on_disk(path, path.filename().string());
-    const std::string folder = environment("PENCIL_KERNEL_DIR");
-    if (!folder.empty()) return source_on_disk(std::filesystem::path(folder) / path, file);
-    const auto found = embedded_kernels().find(file);
-    if (found == embedded_kernels().end()) throw DeviceError("no kernel file named " + file + " is built into the program");
-    return found->second;
-}
-
-Launch ProgramCache::kernel(const std::string& name, const std::vector<std::string>& files, const Defines& defines) {
+Launch ProgramCache::kernel(const std::string& name, const std::string& file, const Defines& defines) {
     Defines all = defines;
     all.emplace("PENCIL_WIDTH", std::to_string(device_->packet_width()));
-    const std::string options = build_options(all), key = join(files) + " " + options;
+    const std::string options = build_options(all), key = file + " " + options;
     const auto program = programs_.find(key);
-    const cl::Program& built = program != programs_.end() ? program->second : programs_.emplace(key, build(files, all)).first->second;
+    const cl::Program& built = program != programs_.end() ? program->second : programs_.emplace(key, build(file, all)).first->second;
     // A kernel object of its own for every Launch: arguments belong to the object, and two launches may be prepared at once.
     cl::Kernel kernel;
     try {
         kernel = cl::Kernel(built, name.c_str());
     } catch (const cl::Error& error) {
-        throw_cl_error(error, "no kernel named " + name + " in " + join(files));
+        throw_cl_error(error, "no kernel named " + name + " in " + file);
     }
     auto& compiled = compiled_[key + " " + name];
     if (!compiled) compiled = std::make_shared<CompiledSizes>();
     return Launch(device_, std::move(kernel), name, compiled);
 }
 
-cl::Program ProgramCache::build(const std::vector<std::string>& files, const Defines& defines) {
-    if (files.empty()) throw DeviceError("a program needs at least one kernel file");
-    std::string source = prelude;
-    for (const std::string& file : files) source += kernel_source(file) + "\n";
+cl::Program ProgramCache::build(const std::string& file, const Defines& defines) {
+    const std::string source = prelude + program_source(file);
     const std::string folder = environment("PENCIL_DUMP_KERNELS"), options = build_options(defines);
-    if (!folder.empty()) dump_source(folder, files, defines, source);
+    if (!folder.empty()) dump_source(folder, file, defines, source);
 
     const auto start = std::chrono::steady_clock::now();
-    cl::Program program =
-        cl_call([&] { return "creating the program " + join(files); }, [&] { return cl::Program(device_->context(), source); });
+    cl::Program program = cl_call([&] { return "creating the program " + file; }, [&] { return cl::Program(device_->context(), source); });
     try {
         program.build(std::vector<cl::Device>{device_->cl_device()}, options.c_str());
     } catch (const cl::Error& error) {
-        throw DeviceError("building " + join(files) + " failed: " + cl_error_name(error.err()) + "\ndevice: " + device_->info().name +
-                          " (" + device_->info().platform + ", driver " + device_->info().driver + ")\noptions: " + options + "\n" +
+        throw DeviceError("building " + file + " failed: " + cl_error_name(error.err()) + "\ndevice: " + device_->info().name + " (" +
+                          device_->info().platform + ", driver " + device_->info().driver + ")\noptions: " + options + "\n" +
                           build_log(program, device_->cl_device()));
     }
     device_->add_build_seconds(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());

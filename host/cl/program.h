@@ -1,4 +1,4 @@
-// Kernels by name: sources embedded at build time, concatenated in the order given, specialised by defines, built once per device.
+// Kernels by name: programs specialised by defines, built once per device.
 #pragma once
 
 #include <map>
@@ -16,10 +16,6 @@
 namespace pencil {
 
 using Defines = std::map<std::string, std::string>;  // PENCIL_X -> value
-
-/// Text of an embedded file, for example "lib/octahedral.cl"; read from $PENCIL_KERNEL_DIR if that is set. An absolute path
-/// is read from disk, which serves kernels that only tests use. Carries a #line directive.
-std::string kernel_source(const std::string& file);
 
 /// Local sizes (x, y or 0) that a kernel was launched with, and whether the grid was large: what PoCL generates code for.
 using CompiledSizes = std::set<std::tuple<std::size_t, std::size_t, bool>>;
@@ -72,16 +68,16 @@ class ProgramCache {
 public:
     explicit ProgramCache(std::shared_ptr<Device> device) : device_(std::move(device)) {}
 
-    /// The kernel `name` of a program made of `files` (in this order) with `defines`. Builds at first use: -cl-std=CL1.2 -Werror, no
-    /// fast-math; a build failure is a DeviceError with device, options and the whole log. PENCIL_WIDTH is always defined.
-    Launch kernel(const std::string& name, const std::vector<std::string>& files, const Defines& defines = {});
+    /// The kernel `name` of the program `file` (kernel_source.h) with `defines`. Builds at first use: -cl-std=CL1.2 -Werror, no fast-math;
+    /// a build failure is a DeviceError with device, options and the whole log. PENCIL_WIDTH is always defined.
+    Launch kernel(const std::string& name, const std::string& file, const Defines& defines = {});
 
     const std::shared_ptr<Device>& device() const { return device_; }
     /// Names of the kernels built so far, for --explain and --stats.
     std::vector<std::string> built() const;
 
 private:
-    cl::Program build(const std::vector<std::string>& files, const Defines& defines);
+    cl::Program build(const std::string& file, const Defines& defines);
     std::shared_ptr<Device> device_;
     std::map<std::string, cl::Program> programs_;
     std::map<std::string, std::shared_ptr<CompiledSizes>> compiled_;  // by program and kernel name

@@ -27,11 +27,8 @@ int reduction_group(const Device& device) {
     return group;
 }
 
-const std::vector<std::string> files = {"shared/types.h", "shared/geometry.h",  "shared/light.h", "shared/camera.h",
-                                        "lib/packet.cl",  "self_test_layout.h", "self_test.cl"};
-
 Launch self_test_kernel(ProgramCache& programs, const std::string& name) {
-    return programs.kernel(name, files, {{"SELF_TEST_GROUP", std::to_string(reduction_group(*programs.device()))}});
+    return programs.kernel(name, "self_test.cl", {{"SELF_TEST_GROUP", std::to_string(reduction_group(*programs.device()))}});
 }
 
 std::string number(double value) {

@@ -1,18 +1,19 @@
 #include "compare/compare_images.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "compare/image_layers.h"
 #include "compare/lab.h"
 #include "util/error.h"
+#include "util/format.h"
 
 namespace pencil {
 namespace {
 
 using Metadata = std::map<std::string, std::string>;
-
-std::string size_text(const Image& image) { return std::to_string(image.width) + "x" + std::to_string(image.height); }
 
 const NamedLayer* find_layer(const std::vector<NamedLayer>& layers, const std::string& name) {
     const auto found = std::find_if(layers.begin(), layers.end(), [&](const NamedLayer& layer) { return layer.name == name; });
@@ -67,8 +68,8 @@ std::vector<std::string> scene_warnings(const Metadata& image, const Metadata& r
         if (a->second == b->second) {
             return {};
         }
-        return {"the images show different scenes: " + value_or(image, "pencil:scene", "?") + " and " +
-                value_or(reference, "pencil:scene", "?") + " (" + key + " is " + a->second + " and " + b->second + ")"};
+        return {fmt::format("the images show different scenes: {} and {} ({} is {} and {})", value_or(image, "pencil:scene", "?"),
+                            value_or(reference, "pencil:scene", "?"), key, a->second, b->second)};
     }
     return {};
 }
@@ -77,14 +78,15 @@ std::vector<std::string> scene_warnings(const Metadata& image, const Metadata& r
 
 Comparison compare_images(const Image& image, const Image& reference, const std::string& image_name, const std::string& reference_name) {
     if (image.width != reference.width || image.height != reference.height) {
-        throw SceneError(image_name, "has " + size_text(image) + " pixels, the reference " + reference_name + " has " +
-                                         size_text(reference) + "; render both with the same --resolution");
+        throw SceneError(image_name, fmt::format("has {} pixels, the reference {} has {}; render both with the same --resolution",
+                                                 format_extent(image.width, image.height), reference_name,
+                                                 format_extent(reference.width, reference.height)));
     }
     const std::vector<NamedLayer> ours = split_layers(image), theirs = split_layers(reference);
     Comparison result{image.width, image.height, 1, {}, {}, {}, scene_warnings(image.metadata, reference.metadata)};
     for (const auto& [name, picture] : {std::pair(&image_name, &image), std::pair(&reference_name, &reference)}) {
         if (picture->metadata.count("pencil:interrupted") > 0) {
-            result.warnings.push_back(*name + " is the unfinished image of an interrupted render");
+            result.warnings.push_back(fmt::format("{} is the unfinished image of an interrupted render", *name));
         }
     }
     const NamedLayer* beauty = find_layer(theirs, "beauty");
@@ -107,7 +109,7 @@ Comparison compare_images(const Image& image, const Image& reference, const std:
         }
     }
     if (result.layers.empty()) {
-        throw SceneError(image_name, "has no layer in common with the reference " + reference_name);
+        throw SceneError(image_name, fmt::format("has no layer in common with the reference {}", reference_name));
     }
     return result;
 }

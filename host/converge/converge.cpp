@@ -12,6 +12,7 @@
 #include "converge/runs.h"
 #include "scene/scene_fingerprint.h"
 #include "util/error.h"
+#include "util/format.h"
 #include "util/output_file.h"
 
 namespace pencil {
@@ -35,9 +36,9 @@ RunLog finished_runs(const ConvergeOptions& options) {
 
 Identity identity_of(const Scene& scene, const ConvergeOptions& options, const DeviceInfo& device) {
     return {{"scene", scene_fingerprint(scene)},
-            {"size", std::to_string(options.width) + "x" + std::to_string(options.height)},
-            {"number of reflections", options.bounces < 0 ? "auto" : std::to_string(options.bounces)},
-            {"device", device.name + ", " + device.driver},
+            {"size", format_extent(options.width, options.height)},
+            {"number of reflections", bounces_text(options)},
+            {"device", fmt::format("{}, {}", device.name, device.driver)},
             {"version", options.version}};
 }
 
@@ -128,7 +129,7 @@ private:
         bool warm = false;
         while (const std::optional<Task> task = plan_.next(points_)) {
             const double before = plan_.expected_seconds(points_);
-            const std::string stage = task->method + " " + run_flags(task->method, task->budget) + ", seed " + std::to_string(task->seed);
+            const std::string stage = fmt::format("{} {}, seed {}", task->method, run_flags(task->method, task->budget), task->seed);
             const Progress progress = [&](const std::string&, double fraction) {
                 return progression_.update(stage, fraction, expected(*task), points_);
             };
@@ -156,7 +157,7 @@ private:
             points_.push_back(*point);
         } catch (const MemoryError& error) {
             plan_.end_ladder(task.method, task.budget);
-            warnings_.push_back(task.method + " stops before " + run_flags(task.method, task.budget) + ": " + error.what());
+            warnings_.push_back(fmt::format("{} stops before {}: {}", task.method, run_flags(task.method, task.budget), error.what()));
         }
         return true;
     }
@@ -189,7 +190,7 @@ void prepare_folder(const Scene& scene, const ConvergeOptions& options, const De
     std::error_code error;
     fs::create_directories(options.folder / "images", error);
     if (error) {
-        throw OutputError("cannot write to " + options.folder.string() + ": " + error.message());
+        throw OutputError(fmt::format("cannot write to {}: {}", options.folder.string(), error.message()));
     }
     for (const fs::path& file : {runs_file(options), table_file(options), options.folder / "index.html", options.folder / "images/a.exr"}) {
         check_writable(file);

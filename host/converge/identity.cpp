@@ -1,5 +1,7 @@
 #include "converge/identity.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -34,15 +36,14 @@ void check_identity(const std::filesystem::path& folder, const Identity& identit
     const Json old = read_identity(folder / file_name);
     if (!old.is_object()) {
         if (!points.empty()) {
-            throw UsageError(folder.string() + " holds runs, but no readable run.json that says of what" + advice);
+            throw UsageError(fmt::format("{} holds runs, but no readable run.json that says of what{}", folder.string(), advice));
         }
         return;
     }
     for (const auto& [key, value] : identity) {
         if (!points.empty() && old.contains(key) && old[key] != Json(value)) {
-            std::string message = folder.string();
-            message.append(" holds runs with another ").append(key).append(": ").append(old[key].dump()).append(" there, \"");
-            throw UsageError(message.append(value).append("\" now").append(advice));
+            throw UsageError(
+                fmt::format("{} holds runs with another {}: {} there, \"{}\" now{}", folder.string(), key, old[key].dump(), value, advice));
         }
     }
     const auto changed = [](const RunPoint& point) {
@@ -50,8 +51,8 @@ void check_identity(const std::filesystem::path& folder, const Identity& identit
     };
     const auto point = std::find_if(points.begin(), points.end(), changed);
     if (point != points.end()) {
-        throw UsageError(folder.string() + " holds runs of " + point->method + " with other options: \"" + point->options + "\" there, \"" +
-                         run_flags(point->method, point->budget) + "\" now" + advice);
+        throw UsageError(fmt::format("{} holds runs of {} with other options: \"{}\" there, \"{}\" now{}", folder.string(), point->method,
+                                     point->options, run_flags(point->method, point->budget), advice));
     }
 }
 

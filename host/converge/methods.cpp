@@ -1,9 +1,10 @@
 #include "converge/methods.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 
 namespace pencil {
@@ -17,8 +18,7 @@ constexpr double first_seconds = 0.25;  // doubled from step to step
 Budget pencil_budget(int step, RenderOptions base, const std::string& flags) {
     const double most = 1 << 20;
     base.pencils = base.light_samples = static_cast<int>(std::lround(std::min(first_pencils * std::pow(growth, step), most)));
-    const std::string number = std::to_string(base.pencils);
-    return {base, "--pencils " + number + " --light-samples " + number + flags};
+    return {base, fmt::format("--pencils {0} --light-samples {0}{1}", base.pencils, flags)};
 }
 
 MeasuredMethod pencil_method(const std::string& name, const std::string& summary, const RenderOptions& base, const std::string& flags) {
@@ -30,9 +30,7 @@ Budget surface_budget(int step) {
     RenderOptions options;
     options.method = MethodName::surface;
     options.seconds = first_seconds * std::exp2(step);
-    std::ostringstream flags;
-    flags << "--method surface --time " << options.seconds;
-    return {options, flags.str()};
+    return {options, fmt::format("--method surface --time {:g}", options.seconds)};
 }
 
 std::vector<MeasuredMethod> make_methods() {
@@ -75,7 +73,7 @@ const MeasuredMethod& find_method(const std::string& name) {
     const std::vector<MeasuredMethod>& methods = all_methods();
     const auto found = std::find_if(methods.begin(), methods.end(), [&](const MeasuredMethod& method) { return method.name == name; });
     if (found == methods.end()) {
-        throw std::invalid_argument("unknown method " + name);
+        throw std::invalid_argument(fmt::format("unknown method {}", name));
     }
     return *found;
 }

@@ -20,4 +20,7 @@ struct ConvergeOptions {
     std::string command;        // that repeats the measurement, for the page
 };
 
+/// The number of reflections as a text: "auto" or "4".
+inline std::string bounces_text(const ConvergeOptions& options) { return options.bounces < 0 ? "auto" : std::to_string(options.bounces); }
+
 }  // namespace pencil

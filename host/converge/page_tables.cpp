@@ -9,8 +9,6 @@
 namespace pencil {
 namespace {
 
-std::string value_text(const ErrorMetric& metric, double value) { return metric.percent ? percent_text(value) : round_text(value); }
-
 /// `kind`: how it looks, see page.css; `note`: a second, smaller line.
 PageData cell(const std::string& text, const std::string& note = "", const std::string& kind = "") {
     return PageObject{{"text", text}, {"note", if_any(note)}, {"kind", if_any(kind)}};

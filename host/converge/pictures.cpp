@@ -1,5 +1,7 @@
 #include "converge/pictures.h"
 
+#include <fmt/format.h>
+
 #include "image/write_image.h"
 
 namespace pencil {
@@ -41,7 +43,7 @@ std::vector<float> shrink(const std::vector<float>& rgb, int width, int height, 
 
 }  // namespace
 
-std::string data_uri(const std::string& mime, const std::string& bytes) { return "data:" + mime + ";base64," + base64(bytes); }
+std::string data_uri(const std::string& mime, const std::string& bytes) { return fmt::format("data:{};base64,{}", mime, base64(bytes)); }
 
 std::string picture_uri(const std::vector<float>& rgb, int width, int height, double exposure) {
     const int factor = (width + widest - 1) / widest;

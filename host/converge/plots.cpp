@@ -1,6 +1,7 @@
 #include "converge/plots.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -64,10 +65,10 @@ std::string make_plots(const std::filesystem::path& folder) {
         }
         const std::string reason = status == -1              ? std::string(std::strerror(errno))
                                    : status == no_matplotlib ? "has no matplotlib"
-                                                             : "failed with status " + std::to_string(status);
-        reasons.append(reasons.empty() ? "" : "; ").append(python).append(": ").append(reason);
+                                                             : fmt::format("failed with status {}", status);
+        reasons += fmt::format("{}{}: {}", reasons.empty() ? "" : "; ", python, reason);
     }
-    return "no plots (" + reasons + "); install python3-matplotlib and run the same command again";
+    return fmt::format("no plots ({}); install python3-matplotlib and run the same command again", reasons);
 }
 
 }  // namespace pencil

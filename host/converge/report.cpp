@@ -1,5 +1,7 @@
 #include "converge/report.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,26 +16,25 @@ constexpr double busy = 2;                // load per core: our own runs keep ab
 constexpr std::size_t few_points = 5;
 constexpr double short_range = 30;  // longest over shortest time
 
-std::string value_text(const ErrorMetric& metric, double value) { return metric.percent ? percent_text(value) : round_text(value); }
-
 std::string verdict_line(const Report& report, const std::vector<NamedCurve>& curves, double seconds) {
     const ErrorMetric& metric = error_metrics().front();
     const Verdict verdict = judge(curves, seconds);
-    std::string line = "after " + seconds_text(seconds) + ": ";
+    const std::string when = fmt::format("after {}: ", seconds_text(seconds));
     if (verdict.ahead < 0) {
-        return line + "no method is measured there";
+        return when + "no method is measured there";
     }
     const auto method = [&](int index) {
-        return report.methods[static_cast<std::size_t>(index)].name + " (" +
-               value_text(metric, verdict.errors[static_cast<std::size_t>(index)].value) + ")";
+        const auto i = static_cast<std::size_t>(index);
+        return fmt::format("{} ({})", report.methods[i].name, value_text(metric, verdict.errors[i].value));
     };
     if (verdict.second < 0) {
-        return line + "only " + method(verdict.ahead) + " is measured there";
+        return fmt::format("{}only {} is measured there", when, method(verdict.ahead));
     }
     if (verdict.lead < level) {
-        return line + method(verdict.ahead) + " is level with " + method(verdict.second);
+        return fmt::format("{}{} is level with {}", when, method(verdict.ahead), method(verdict.second));
     }
-    return line + method(verdict.ahead) + " is ahead of " + method(verdict.second) + " by a factor of " + round_text(verdict.lead);
+    return fmt::format("{}{} is ahead of {} by a factor of {}", when, method(verdict.ahead), method(verdict.second),
+                       round_text(verdict.lead));
 }
 
 }  // namespace
@@ -54,8 +55,10 @@ std::vector<std::string> run_warnings(const Report& report) {
         load = std::max(load, point.load);
     }
     if (load > busy * std::max(report.host_threads, 1U)) {
-        warnings.push_back("other programs used this machine (load " + round_text(load) + " on " + std::to_string(report.host_threads) +
-                           " cores): times are too long and curves not comparable; measure again on an idle machine");
+        warnings.push_back(
+            fmt::format("other programs used this machine (load {} on {} cores): times are too long and curves not "
+                        "comparable; measure again on an idle machine",
+                        round_text(load), report.host_threads));
     }
     double smallest = std::numeric_limits<double>::infinity();
     for (const MethodSummary& method : report.methods) {
@@ -64,20 +67,23 @@ std::vector<std::string> run_warnings(const Report& report) {
             smallest = std::min(smallest, point.error * point.error);
         }
         if (report.finished && (curve.size() < few_points || curve.back().seconds < short_range * curve.front().seconds)) {
-            warnings.push_back("the curve of " + method.name + " has " + std::to_string(curve.size()) + " points" +
-                               (curve.empty()
-                                    ? std::string()
-                                    : " over a " + round_text(curve.back().seconds / curve.front().seconds) + "-fold range of time") +
-                               "; a larger --longest shows more");
+            const std::string range =
+                curve.empty() ? "" : fmt::format(" over a {}-fold range of time", round_text(curve.back().seconds / curve.front().seconds));
+            warnings.push_back(
+                fmt::format("the curve of {} has {} points{}; a larger --longest shows more", method.name, curve.size(), range));
         }
     }
     const std::optional<double>& noise = report.truth.noise_rel_mse;
     if (noise && *noise > noticeable_noise * smallest) {
-        warnings.push_back("the noise of the reference, relMSE " + round_text(*noise) + ", is " + percent_text(*noise / smallest) +
-                           " of the smallest relMSE that is left when it is taken off; give a better --reference");
+        warnings.push_back(
+            fmt::format("the noise of the reference, relMSE {}, is {} of the smallest relMSE that is left when it is taken "
+                        "off; give a better --reference",
+                        round_text(*noise), percent_text(*noise / smallest)));
     }
     return warnings;
 }
+
+std::string value_text(const ErrorMetric& metric, double value) { return metric.percent ? percent_text(value) : round_text(value); }
 
 std::string verdict_text(const Report& report) {
     std::string text;

@@ -33,6 +33,9 @@ std::vector<std::string> run_warnings(const Report& report);
 /// Curves of one metric, the path tracer's first.
 std::vector<NamedCurve> curves_of(const Report& report, const ErrorMetric& metric);
 
+/// A value of the metric as readers see it: "4.2 %" or "0.013".
+std::string value_text(const ErrorMetric& metric, double value);
+
 /// The verdicts in plain text, for the terminal.
 std::string verdict_text(const Report& report);
 

@@ -1,15 +1,15 @@
 #include "converge/runs.h"
 
-#include <chrono>
-#include <cstdio>
+#include <fmt/format.h>
+
 #include <cstdlib>
 
 #include "compare/metrics.h"
 #include "converge/methods.h"
+#include "image/write_image.h"
 #include "reference/path_tracer.h"
 #include "render/render_session.h"
 #include "scene/scene_fingerprint.h"
-#include "image/write_image.h"
 #include "util/stopwatch.h"
 
 namespace pencil {
@@ -83,15 +83,13 @@ TracedImage trace_image(const Scene& scene, const ConvergeOptions& options, doub
 
 std::string run_flags(const std::string& method, int budget) {
     if (method == path_tracer_name) {
-        char text[32];
-        std::snprintf(text, sizeof(text), "--time %g", path_tracer_seconds(budget));
-        return text;
+        return fmt::format("--time {:g}", path_tracer_seconds(budget));
     }
     return find_method(method).budget(budget).flags;
 }
 
 std::filesystem::path image_file(const ConvergeOptions& options, const std::string& method, int budget, std::uint64_t seed) {
-    return options.folder / "images" / (method + "-" + std::to_string(budget) + "-" + std::to_string(seed) + ".exr");
+    return options.folder / "images" / fmt::format("{}-{}-{}.exr", method, budget, seed);
 }
 
 std::optional<RunPoint> run_task(const Task& task, const Scene& scene, const ConvergeOptions& options, const Truth& truth,
@@ -110,7 +108,7 @@ std::optional<RunPoint> run_task(const Task& task, const Scene& scene, const Con
     point.load = machine_load();
     measure_run(point, rgb, truth);
     write_image(image_file(options, task.method, task.budget, task.seed), {options.width, options.height, {{"", 3, rgb.data()}}},
-                {{"Software", "pencil " + options.version},
+                {{"Software", fmt::format("pencil {}", options.version)},
                  {"pencil:scene", options.scene.filename().string()},
                  {"pencil:sceneFingerprint", scene_fingerprint(scene)},
                  {"pencil:method", task.method},

@@ -1,5 +1,7 @@
 #include "converge/truth.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,9 +9,10 @@
 #include "compare/image_layers.h"
 #include "compare/lab.h"
 #include "converge/runs.h"
-#include "scene/scene_fingerprint.h"
 #include "image/write_image.h"
+#include "scene/scene_fingerprint.h"
 #include "util/error.h"
+#include "util/format.h"
 
 namespace pencil {
 namespace {
@@ -25,10 +28,6 @@ void set_pixels(Truth& truth, std::vector<float> rgb) {
     truth.exposure = exposure_of(truth.rgb.data(), truth.rgb.size() / 3);
     truth.fingerprint = fingerprint(truth.rgb.data(), truth.rgb.size() * sizeof(float));
 }
-
-std::string bounces_text(const ConvergeOptions& options) { return options.bounces < 0 ? "auto" : std::to_string(options.bounces); }
-
-std::string size_text(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 
 /// Relative noise by the layer of variances that `pencil reference` can write, for files that do not say it themselves.
 std::optional<double> noise_of(const Image& image, const std::vector<NamedLayer>& layers) {
@@ -79,8 +78,9 @@ Truth read_truth(const std::filesystem::path& file, const Scene& scene, const Co
     const Image image = read_image(file);
     const std::vector<NamedLayer> layers = split_layers(image);
     if (image.width != options.width || image.height != options.height) {
-        throw SceneError(file.string(), "the reference has " + size_text(image.width, image.height) + " pixels, " +
-                                            size_text(options.width, options.height) + " are to be measured; use its --resolution");
+        throw SceneError(file.string(),
+                         fmt::format("the reference has {} pixels, {} are to be measured; use its --resolution",
+                                     format_extent(image.width, image.height), format_extent(options.width, options.height)));
     }
     if (layers.front().name != "beauty" || layers.front().channels != std::vector<std::string>{"R", "G", "B"}) {
         throw SceneError(file.string(), "the reference has no channels R, G and B");
@@ -91,21 +91,21 @@ Truth read_truth(const std::filesystem::path& file, const Scene& scene, const Co
     truth.height = image.height;
     const auto origin = image.metadata.find(origin_key), software = image.metadata.find("Software");
     truth.origin = origin != image.metadata.end()     ? origin->second
-                   : software != image.metadata.end() ? "by " + software->second
+                   : software != image.metadata.end() ? fmt::format("by {}", software->second)
                                                       : "of unknown origin";
     truth.noise_rel_mse = noise_of(image, layers);
     set_pixels(truth, layers.front().pixels);
     const auto theirs = image.metadata.find("pencil:sceneFingerprint");
     if (theirs != image.metadata.end() && theirs->second != scene_fingerprint(scene)) {
-        truth.warnings.push_back("the reference " + file.string() + " was made from another scene");
+        truth.warnings.push_back(fmt::format("the reference {} was made from another scene", file.string()));
     }
     if (image.metadata.count("pencil:interrupted") > 0) {
-        truth.warnings.push_back("the reference " + file.string() + " is the unfinished image of an interrupted render");
+        truth.warnings.push_back(fmt::format("the reference {} is the unfinished image of an interrupted render", file.string()));
     }
     const auto bad = std::count_if(truth.rgb.begin(), truth.rgb.end(), [](float value) { return !std::isfinite(value); });
     if (bad > 0) {
-        truth.warnings.push_back("the reference " + file.string() + " has " + std::to_string(bad) +
-                                 " values that are NaN or infinite; their pixels are left out");
+        truth.warnings.push_back(
+            fmt::format("the reference {} has {} values that are NaN or infinite; their pixels are left out", file.string(), bad));
     }
     return truth;
 }
@@ -128,10 +128,10 @@ std::optional<Truth> own_truth(const Scene& scene, const ConvergeOptions& option
     std::vector<float> rgb(halves[0].rgb.size());
     std::transform(halves[0].rgb.begin(), halves[0].rgb.end(), halves[1].rgb.begin(), rgb.begin(),
                    [](float a, float b) { return (a + b) / 2; });
-    const std::string origin = "made in the same run by the path tracer: two halves of " + std::to_string(halves[0].spp) + " and " +
-                               std::to_string(halves[1].spp) + " paths per pixel";
+    const std::string origin =
+        fmt::format("made in the same run by the path tracer: two halves of {} and {} paths per pixel", halves[0].spp, halves[1].spp);
     write_image(file, {options.width, options.height, {{"", 3, rgb.data()}}},
-                {{"Software", "pencil " + options.version},
+                {{"Software", fmt::format("pencil {}", options.version)},
                  {"pencil:scene", options.scene.filename().string()},
                  {"pencil:sceneFingerprint", scene_fingerprint(scene)},
                  {"pencil:bounces", bounces_text(options)},

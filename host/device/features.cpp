@@ -1,8 +1,6 @@
 #include "device/features.h"
 
-#include <stdexcept>
-
-#include "device/kernel_groups.h"
+#include "cl/kernel_source.h"
 
 namespace pencil {
 
@@ -24,15 +22,7 @@ Defines to_defines(const Features& features, int block) {
 
 Launch Kernels::get(const std::string& name) {
     if (before_launch_) before_launch_();
-    const KernelGroup* group = find_group(name);
-    if (!group) throw std::logic_error("kernel " + name + " is in no group of kernel_groups.cpp");
-    std::vector<std::string> files = {"shared/types.h",          "shared/atlas.h",   "shared/geometry.h", "shared/camera.h",
-                                      "shared/surfel.h",         "shared/light.h",   "shared/film.h",     "shared/bvh.h",
-                                      "shared/surface_pencil.h", "shared/weights.h", "shared/cluster.h"};
-    for (const std::string& library : group->libraries)
-        files.push_back("lib/" + (library == "weights" ? (features_.weights == PENCIL_WEIGHTS_VORONOI ? "weights_voronoi" : "weights_density") : library) + ".cl");
-    for (const std::string& kernel : group->kernels) files.push_back(kernel + ".cl");
-    return cache_.kernel(name, files, to_defines(features_, block()));
+    return cache_.kernel(name, program_of(name), to_defines(features_, block()));
 }
 
 }  // namespace pencil

@@ -12,7 +12,7 @@
 namespace pencil {
 
 struct Features {
-    bool smooth = false;  // some triangle has vertex normals: interpolated shading normals
+    bool smooth = false;    // some triangle has vertex normals: interpolated shading normals
     int film_samples = 16;  // visibility samples per pixel
     // What the method needs:
     int weights = PENCIL_WEIGHTS_DPDF;  // form of the quadrature weights (shared/weights.h)
@@ -28,7 +28,7 @@ Defines to_defines(const Features& features, int block);
 class Kernels {
 public:
     Kernels(std::shared_ptr<Device> device, const Features& features) : cache_(std::move(device)), features_(features) {}
-    /// Kernel `name` from kernels/<name>.cl, built with its group (kernel_groups.h) behind the shared headers.
+    /// Kernel `name` from kernels/<name>.cl, built with its program (program_of).
     Launch get(const std::string& name);
     const std::shared_ptr<Device>& device() const { return cache_.device(); }
     const Features& features() const { return features_; }

@@ -1,5 +1,7 @@
 #include "device/pencil_set.h"
 
+#include <fmt/format.h>
+
 #include <glm/vec3.hpp>
 
 #include "util/error.h"
@@ -16,8 +18,9 @@ std::size_t atlas_texels(std::size_t tiles, int n) {
     if (n == 0) return 1;
     const std::size_t texels = tiles * static_cast<std::size_t>(PENCIL_TILE_TEXELS(n));
     if (texels > most_texels)
-        throw MemoryError(std::to_string(tiles) + " maps of " + std::to_string(n) + "x" + std::to_string(n) +
-                          " texels are more than one atlas holds (2^31 texels); use fewer pencils or light samples, or a smaller map");
+        throw MemoryError(fmt::format(
+            "{} maps of {}x{} texels are more than one atlas holds (2^31 texels); use fewer pencils or light samples, or a smaller map",
+            tiles, n, n));
     return texels;
 }
 

@@ -3,6 +3,7 @@
 #include "image/read_image.h"
 
 #include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
 
 #include <array>
 #include <exception>
@@ -50,9 +51,8 @@ void check_size(const fs::path& path, const OIIO::ImageSpec& spec, std::uint64_t
     const std::uint64_t most_pixels = most_bytes / sizeof(float) / static_cast<std::uint64_t>(spec.nchannels);
     const std::uint64_t pixels = static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.height);
     if (pixels > most_pixels) {
-        throw SceneError(path.string(), "is too large: " + std::to_string(spec.width) + "x" + std::to_string(spec.height) + " pixels of " +
-                                            std::to_string(spec.nchannels) + " channels; at most " + std::to_string(most_bytes >> 20) +
-                                            " MiB are accepted");
+        throw SceneError(path.string(), fmt::format("is too large: {}x{} pixels of {} channels; at most {} MiB are accepted", spec.width,
+                                                    spec.height, spec.nchannels, most_bytes >> 20));
     }
     if (spec.deep) {
         throw SceneError(path.string(), "deep images are not supported");

@@ -3,6 +3,7 @@
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
@@ -99,9 +100,8 @@ unsigned char to_display(float linear) {
 }
 
 std::string describe(const NonFinite& found, const std::filesystem::path& path, bool zeroed) {
-    return path.filename().string() + ": " + std::to_string(found.values) + " values are NaN or infinite" +
-           (zeroed ? " and written as 0" : "") + ", the first in channel " + found.channel + " at pixel (" + std::to_string(found.x) +
-           ", " + std::to_string(found.y) + ")";
+    return fmt::format("{}: {} values are NaN or infinite{}, the first in channel {} at pixel ({}, {})", path.filename().string(),
+                       found.values, (zeroed ? " and written as 0" : ""), found.channel, found.x, found.y);
 }
 
 }  // namespace
@@ -110,7 +110,7 @@ std::vector<std::string> channel_names(const ImageLayer& layer) {
     const bool vector = layer.name == "normal" || layer.name == "position";
     const std::string_view letters = layer.channels == 1 ? "Z" : vector ? "XYZ" : "RGBA";
     if (layer.channels < 1 || static_cast<std::size_t>(layer.channels) > letters.size()) {
-        throw OutputError("layer \"" + layer.name + "\" has " + std::to_string(layer.channels) + " channels");
+        throw OutputError(fmt::format("layer \"{}\" has {} channels", layer.name, layer.channels));
     }
     std::vector<std::string> names;
     for (int i = 0; i < layer.channels; ++i) {

@@ -1,5 +1,7 @@
 #include "line/line_method.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -105,13 +107,14 @@ bool LineMethod::converged() {
     if (series_.last_share() < context_.options.tolerance) return true;
     if (series_.diverges()) {
         context_.stats.warnings.push_back(
-            "each reflection is brighter than the last: the series has no sum with these weights; stopped after " +
-            std::to_string(projected_) + ", the image is not that of the scene");
+            fmt::format("each reflection is brighter than the last: the series has no sum with these weights; stopped after {}, the image "
+                        "is not that of the scene",
+                        projected_));
         return true;
     }
     if (projected_ <= most_bounces) return false;
-    context_.stats.warnings.push_back("bounces do not decrease (albedo near 1 in a closed scene): stopped after " +
-                                      std::to_string(most_bounces) + ", not converged");
+    context_.stats.warnings.push_back(
+        fmt::format("bounces do not decrease (albedo near 1 in a closed scene): stopped after {}, not converged", most_bounces));
     return true;
 }
 
@@ -128,8 +131,8 @@ void LineMethod::count_blind() {
     const std::vector<int> visible = visible_.read(0, static_cast<std::size_t>(frame_->film().surfels().count));
     stats.blind_surfels = static_cast<std::uint64_t>(std::count(visible.begin(), visible.end(), 0));
     if (stats.blind_surfels > visible.size() / blind_share)
-        stats.warnings.push_back(std::to_string(stats.blind_surfels) + " of " + std::to_string(visible.size()) +
-                                 " film surfels are seen by no pencil and get no indirect light; use more --pencils");
+        stats.warnings.push_back(fmt::format("{} of {} film surfels are seen by no pencil and get no indirect light; use more --pencils",
+                                             stats.blind_surfels, visible.size()));
 }
 
 /// An endless series gets its geometric tail.
@@ -156,10 +159,10 @@ std::vector<std::string> LineMethod::explain() const {
     if (projected_ == 0) return lines;
     std::string rooms;
     for (int shape : free_space_->rooms()) rooms += (rooms.empty() ? "" : ", ") + context_.scene.shapes[static_cast<std::size_t>(shape)].id;
-    lines.push_back("placement: " + candidates_->describe() + "; rejected " + std::to_string(free_space_->in_solids()) +
-                    " centres inside solids and " + std::to_string(free_space_->unreached()) +
-                    " that see no surface which film, lights or others see" +
-                    (rooms.empty() ? std::string() : "; rooms, because the camera or a light is inside: " + rooms));
+    lines.push_back(
+        fmt::format("placement: {}; rejected {} centres inside solids and {} that see no surface which film, lights or others see{}",
+                    candidates_->describe(), free_space_->in_solids(), free_space_->unreached(),
+                    (rooms.empty() ? std::string() : "; rooms, because the camera or a light is inside: " + rooms)));
     return lines;
 }
 

@@ -1,5 +1,7 @@
 #include "line/weights.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -26,8 +28,9 @@ int kernel_weights(Weights weights) {
 std::string explain_weights(Weights weights, int grid) {
     switch (weights) {
         case Weights::voronoi:
-            return "weights: Voronoi cells of the visible directions, sampled by " + std::to_string(grid * grid) +
-                   " directions; left out: visibility masks and density";
+            return fmt::format(
+                "weights: Voronoi cells of the visible directions, sampled by {} directions; left out: visibility masks and density",
+                grid * grid);
         case Weights::analytic:
             return "weights: self-normalised 1/p, p from the free path and the free volume; left out: visibility masks";
         case Weights::thesis:

@@ -1,5 +1,7 @@
 #include "options/layer.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace pencil {
@@ -9,9 +11,9 @@ const std::vector<std::string>& layer_groups() {
     return groups;
 }
 
-std::string bounce_layer(int order) { return order == 1 ? "direct" : "bounce" + std::to_string(order); }
+std::string bounce_layer(int order) { return order == 1 ? "direct" : fmt::format("bounce{}", order); }
 
-std::string tail_layer(int first_order) { return "tail" + std::to_string(first_order); }
+std::string tail_layer(int first_order) { return fmt::format("tail{}", first_order); }
 
 bool is_bounce(const std::string& name) { return name.rfind("bounce", 0) == 0 || name.rfind("tail", 0) == 0; }
 

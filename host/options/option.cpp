@@ -1,5 +1,7 @@
 #include "options/option.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <limits>
@@ -40,7 +42,7 @@ std::string header_name(const Option& option) {
 Option integer_option(const std::string& flag, int& value, int low, int high, const std::string& help) {
     return {flag,
             "N",
-            std::to_string(low) + " to " + std::to_string(high),
+            fmt::format("{} to {}", low, high),
             std::to_string(value),
             help,
             "",
@@ -68,7 +70,7 @@ Option resolution_option(int& width, int& height, const std::string& otherwise) 
             "Size of the image in pixels",
             "",
             [&width, &height](const std::string& text) { std::tie(width, height) = parse_resolution(text); },
-            [&width, &height] { return OptionValue(std::to_string(width) + "x" + std::to_string(height)); }};
+            [&width, &height] { return OptionValue(fmt::format("{}x{}", width, height)); }};
 }
 
 Option seed_option(std::uint64_t& seed) {

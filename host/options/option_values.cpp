@@ -1,6 +1,8 @@
 // std::from_chars throughout: it knows no locale, no leading blanks and no partial numbers.
 #include "options/option_values.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -27,7 +29,7 @@ constexpr int largest_side = 1000000;  // [pixels]; what fits into memory is jud
 std::int64_t parse_integer(const std::string& text, std::int64_t low, std::int64_t high) {
     std::int64_t value = 0;
     if (!reads_as(text, value) || value < low || value > high) {
-        reject(text, "an integer from " + std::to_string(low) + " to " + std::to_string(high));
+        reject(text, fmt::format("an integer from {} to {}", low, high));
     }
     return value;
 }
@@ -55,7 +57,7 @@ std::pair<int, int> parse_resolution(const std::string& text) {
     int width = 0, height = 0;
     const bool numbers = reads_as(text.substr(0, cross), width) && reads_as(text.substr(std::min(cross + 1, text.size())), height);
     if (!numbers || std::min(width, height) < 1 || std::max(width, height) > largest_side) {
-        reject(text, "WIDTHxHEIGHT with both from 1 to " + std::to_string(largest_side));
+        reject(text, fmt::format("WIDTHxHEIGHT with both from 1 to {}", largest_side));
     }
     return {width, height};
 }

@@ -1,5 +1,7 @@
 #include "options/render_option_table.h"
 
+#include <fmt/format.h>
+
 #include <limits>
 #include <stdexcept>
 
@@ -28,14 +30,14 @@ Option only(MethodName method, Option option) {
 
 Option pencils_row(int& pencils) {
     Option row = integer_option("--pencils", pencils, 1, many, "Pencils of the first set; surface: of the world set of the first pass");
-    row.standard = std::to_string(standard_pencils(MethodName::surface)) + "; line: " + std::to_string(standard_pencils(MethodName::line));
+    row.standard = fmt::format("{}; line: {}", standard_pencils(MethodName::surface), standard_pencils(MethodName::line));
     return row;
 }
 
 Option bounces_row(int& bounces) {
     return {"--bounces",
             "K",
-            "auto, 0 to " + std::to_string(most_bounces),
+            fmt::format("auto, 0 to {}", most_bounces),
             "the scene's max_depth",
             "Reflections at most: 0 emission only, 1 direct light only; auto: until --tolerance",
             "",
@@ -49,7 +51,7 @@ Option map_row(int& map) {
     Option row = integer_option("--map", map, map_step, largest_map, "Width of a pencil's octahedral map in texels, a multiple of 8");
     row.read = [&map, read = row.read](const std::string& text) {
         read(text);
-        if (map % map_step != 0) throw std::invalid_argument("\"" + text + "\" is not a multiple of " + std::to_string(map_step));
+        if (map % map_step != 0) throw std::invalid_argument(fmt::format("\"{}\" is not a multiple of {}", text, map_step));
     };
     return row;
 }

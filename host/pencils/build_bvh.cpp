@@ -1,6 +1,7 @@
 #include "pencils/build_bvh.h"
 
 #include <embree3/rtcore.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -138,7 +139,7 @@ Bvh build_bvh(const std::vector<Triangle>& triangles) {
     arguments.setNodeBounds = set_bounds;
     arguments.createLeaf = create_leaf;
     const auto* root = builder ? static_cast<const BuildNode*>(rtcBuildBVH(&arguments)) : nullptr;
-    if (!root) throw MemoryError("building the hierarchy of " + std::to_string(triangles.size()) + " triangles failed");
+    if (!root) throw MemoryError(fmt::format("building the hierarchy of {} triangles failed", triangles.size()));
     Flattener flattener(bvh);
     if (root->count > 0) {
         bvh.nodes.push_back(empty_node());

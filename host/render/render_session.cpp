@@ -1,5 +1,7 @@
 #include "render/render_session.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "film/film.h"
@@ -14,10 +16,9 @@ namespace {
 
 /// Limits of the kernels' 32-bit indices and layouts, for callers that bypass the command line.
 void check_options(const RenderOptions& options) {
-    if (options.map < 8 || options.map % 8 != 0)
-        throw UsageError("the map size must be a multiple of 8, not " + std::to_string(options.map));
+    if (options.map < 8 || options.map % 8 != 0) throw UsageError(fmt::format("the map size must be a multiple of 8, not {}", options.map));
     if (options.film_samples < 1 || options.film_samples > 64)
-        throw UsageError("film samples must be 1 to 64, not " + std::to_string(options.film_samples));
+        throw UsageError(fmt::format("film samples must be 1 to 64, not {}", options.film_samples));
     if (options.pencils < 1 || options.decay <= 0 || options.decay > 1)
         throw UsageError("at least one pencil and a decay in (0, 1] are needed");
 }
@@ -27,8 +28,8 @@ void check_memory(const RenderOptions& options, const Device& device) {
     const auto available = static_cast<double>(device.info().global_memory);
     const auto mebibytes = [](double size) { return std::to_string(static_cast<long long>(size / (1 << 20))) + " MiB"; };
     if (bytes > available)
-        throw MemoryError("a film of " + std::to_string(options.width) + "x" + std::to_string(options.height) + " pixels needs about " +
-                          mebibytes(bytes) + " of device memory, " + mebibytes(available) + " exist; use a smaller --resolution");
+        throw MemoryError(fmt::format("a film of {}x{} pixels needs about {} of device memory, {} exist; use a smaller --resolution",
+                                      options.width, options.height, mebibytes(bytes), mebibytes(available)));
 }
 
 RenderOptions checked(const RenderOptions& options, const Scene& scene, const Device& device) {

@@ -1,5 +1,7 @@
 #include "surface/surface_method.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -97,7 +99,7 @@ bool SurfaceMethod::advance() {
         lit = add_pass(now);
     } catch (const MemoryError& error) {
         if (mean_.count() == 0) throw;
-        context_.stats.warnings.push_back("stopped after " + std::to_string(mean_.count()) + " passes: " + error.what());
+        context_.stats.warnings.push_back(fmt::format("stopped after {} passes: {}", mean_.count(), error.what()));
         return false;
     }
     const double time = context_.clock.seconds(), pace = (time - begun_) / now.work;

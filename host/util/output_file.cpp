@@ -2,6 +2,7 @@
 #include "util/output_file.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -27,7 +28,7 @@ public:
     TemporaryFile(const fs::path& folder, const fs::path& wanted) : wanted_(wanted) {
         const int attempts = 100;  // leftovers of killed processes with our process id
         for (int i = 0; i < attempts && descriptor_ < 0; ++i) {
-            path_ = folder / (".pencil-" + std::to_string(::getpid()) + "-" + std::to_string(i) + ".tmp");
+            path_ = folder / (fmt::format(".pencil-{}-{}.tmp", ::getpid(), i));
             descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
             if (descriptor_ < 0 && errno != EEXIST) {
                 fail(wanted_, errno);

@@ -1,5 +1,7 @@
 #include "visibility/visibility_path.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -111,11 +113,11 @@ Prepared plan_preparation(int triangles, const std::vector<MapBatch>& batches, i
 }
 
 std::string explain_paths(int triangles, const std::vector<MapBatch>& batches, int compute_units, const Prepared& prepared) {
-    std::string text = "geometry maps over " + std::to_string(triangles) + " triangles: ";
+    std::string text = fmt::format("geometry maps over {} triangles: ", triangles);
     for (const MapBatch& batch : batches) {
         const std::string size = std::to_string(batch.size);
-        text += "about " + std::to_string(batch.maps) + " of " + size + "x" + size + " " +
-                words(choose_path(triangles, batch, compute_units, prepared)) + " (predicted:";
+        text += fmt::format("about {} of {}x{} {} (predicted:", batch.maps, size, size,
+                            words(choose_path(triangles, batch, compute_units, prepared)));
         for (const VisibilityPath path : visibility_paths)
             text += std::string(path == VisibilityPath::rasterize ? " " : ", ") + words(path) + " " +
                     seconds_text(maps_seconds(path, triangles, batch, compute_units));

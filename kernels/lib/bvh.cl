@@ -1,5 +1,10 @@
 // What packets of rays from one centre meet first, by a hierarchy of boxes. Coverage, disparity and ties are those of the rasteriser
-// (raster.cl): both see the same triangle through the same point. Needs packet.cl, triangle.cl, shared/bvh.h.
+// (raster.cl): both see the same triangle through the same point.
+
+#include "lib/packet.cl"
+#include "lib/triangle.cl"
+#include "shared/bvh.h"
+#include "shared/geometry.h"
 
 /// Direction components nearer to 0 than this are taken as this where they divide.
 #define BVH_TINY 1e-20f
@@ -12,9 +17,9 @@ typedef struct RayPacket {
     vint triangle;              // -1: none
 } RayPacket;
 
-inline vfloat finite_reciprocal(vfloat v) { return 1.0f / copysign(fmax(fabs(v), (vfloat)(BVH_TINY)), v); }
+static inline vfloat finite_reciprocal(vfloat v) { return 1.0f / copysign(fmax(fabs(v), (vfloat)(BVH_TINY)), v); }
 
-inline RayPacket ray_packet(vfloat x, vfloat y, vfloat z) {
+static inline RayPacket ray_packet(vfloat x, vfloat y, vfloat z) {
     RayPacket r;
     r.x = x;
     r.y = y;
@@ -29,7 +34,7 @@ inline RayPacket ray_packet(vfloat x, vfloat y, vfloat z) {
 }
 
 /// Lanes whose rays meet a box (corners relative to the origin) before what they have met; `entry` is where.
-inline vint packet_meets_box(const RayPacket *r, float4 low, float4 high, vfloat *entry) {
+static inline vint packet_meets_box(const RayPacket *r, float4 low, float4 high, vfloat *entry) {
     vfloat x0 = low.x * r->ix, x1 = high.x * r->ix, y0 = low.y * r->iy, y1 = high.y * r->iy, z0 = low.z * r->iz, z1 = high.z * r->iz;
     vfloat in = fmax(fmax(fmin(x0, x1), fmin(y0, y1)), fmax(fmin(z0, z1), (vfloat)(0.0f)));
     vfloat out = fmin(fmin(fmax(x0, x1), fmax(y0, y1)), fmin(fmax(z0, z1), r->nearest));
@@ -38,7 +43,7 @@ inline vint packet_meets_box(const RayPacket *r, float4 low, float4 high, vfloat
 }
 
 /// Meets one triangle, unless its plane passes within `tolerance` of the origin. Nearer wins, at equal disparity the lower index.
-inline void packet_meet_triangle(RayPacket *r, global const Triangle *t, int index, float4 plane, float4 origin, float tolerance) {
+static inline void packet_meet_triangle(RayPacket *r, global const Triangle *t, int index, float4 plane, float4 origin, float tolerance) {
     float ahead = plane_ahead(plane, origin);
     if (fabs(ahead) <= tolerance) return;
     float side = ahead > 0.0f ? 1.0f : -1.0f;
@@ -57,7 +62,7 @@ inline void packet_meet_triangle(RayPacket *r, global const Triangle *t, int ind
 
 /// Follows the rays through the whole scene but for the plane `own` that they start on (-1: on none), and for planes within `tolerance` of
 /// the origin; 0: planes stop rays however near they are.
-inline void packet_trace(RayPacket *r, float4 origin, int own, float tolerance, global const BvhNode *nodes, global const int *leaves,
+static inline void packet_trace(RayPacket *r, float4 origin, int own, float tolerance, global const BvhNode *nodes, global const int *leaves,
                          global const Triangle *triangles, global const float4 *planes) {
     int stack[BVH_MOST_LEVELS + 1];
     int depth = 0;

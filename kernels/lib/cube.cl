@@ -1,17 +1,21 @@
 // Cube map in six tiles, thesis 4.3: tile 2 a + s is the face across axis a (0: x, 1: y, 2: z), s = 1 on the negative side. On it u runs
-// along the next axis and v along the one after (x, y, z, x ...). Needs map_tiles.cl.
+// along the next axis and v along the one after (x, y, z, x ...).
+
+#include "lib/footprint.cl"
+#include "lib/map_tiles.cl"
+#include "lib/packet.cl"
 
 /// (along axis a, next, next but one) as (x, y, z).
-inline float4 cube_turn(float major, float u, float v, int axis) {
+static inline float4 cube_turn(float major, float u, float v, int axis) {
     if (axis == 0) return (float4)(major, u, v, 0.0f);
     return axis == 1 ? (float4)(v, major, u, 0.0f) : (float4)(u, v, major, 0.0f);
 }
 
-inline float4 cube_to_direction(float u, float v, int tile) { return cube_turn(tile & 1 ? -1.0f : 1.0f, u, v, tile / 2); }
+static inline float4 cube_to_direction(float u, float v, int tile) { return cube_turn(tile & 1 ? -1.0f : 1.0f, u, v, tile / 2); }
 
 /// Gutter texels repeat the edge texel of the next face; at a corner, where three faces meet, the gutter texels of all three hold the
 /// direction of the corner itself. Bilinear look-ups are continuous across edges and corners.
-inline float4 cube_stored_direction(int2 texel, int tile, int n) {
+static inline float4 cube_stored_direction(int2 texel, int tile, int n) {
     float u = tile_coordinate(texel.x, n), v = tile_coordinate(texel.y, n), major = 1.0f;
     bool across_u = texel.x < 0 || texel.x >= n, across_v = texel.y < 0 || texel.y >= n;
     if (across_u && !across_v) major = 2.0f - fabs(u);
@@ -21,12 +25,12 @@ inline float4 cube_stored_direction(int2 texel, int tile, int n) {
     return cube_turn(tile & 1 ? -major : major, u, v, tile / 2);
 }
 
-inline float cube_solid_angle_density(float u, float v, int tile) {
+static inline float cube_solid_angle_density(float u, float v, int tile) {
     float r = sqrt(1.0f + u * u + v * v);
     return 1.0f / (r * r * r);
 }
 
-inline Footprint cube_footprint(vfloat vx, vfloat vy, vfloat vz, int n) {
+static inline Footprint cube_footprint(vfloat vx, vfloat vy, vfloat vz, int n) {
     vfloat ax = fabs(vx), ay = fabs(vy), az = fabs(vz);
     vint is_x = PACKET_MASK(ax >= ay) & PACKET_MASK(ax >= az);
     vint is_y = ~is_x & PACKET_MASK(ay >= az);

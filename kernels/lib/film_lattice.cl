@@ -1,10 +1,12 @@
-// The lattice of pixels that film pencils lie on. Needs surface_pencil.cl.
+// The lattice of pixels that film pencils lie on.
+
+#include "shared/surfel.h"
 
 typedef struct SurfacePoint {
     float3 x, n;
 } SurfacePoint;
 
-inline SurfacePoint surface_point(global const float *surfels, int capacity, int i) {
+static inline SurfacePoint surface_point(global const float *surfels, int capacity, int i) {
     size_t c = capacity;
     global const float *s = surfels + i;
     SurfacePoint p = {(float3)(s[SURFEL_X * c], s[SURFEL_Y * c], s[SURFEL_Z * c]),
@@ -13,13 +15,13 @@ inline SurfacePoint surface_point(global const float *surfels, int capacity, int
 }
 
 /// Pixel of lattice corner 0 .. 3 about pixel `at`.
-inline int2 lattice_pixel(int2 at, int spacing, int corner, int width, int height) {
+static inline int2 lattice_pixel(int2 at, int spacing, int corner, int width, int height) {
     int2 p = at / spacing * spacing + spacing * (int2)(corner & 1, corner >> 1);
     return min(p, (int2)(width - 1, height - 1));
 }
 
 /// Film pencil of that corner, -1 if there is none or a coarser level has it.
-inline int lattice_pencil(global const int *pencil_at, int2 at, int spacing, int coarsest, int corner, int width, int height) {
+static inline int lattice_pencil(global const int *pencil_at, int2 at, int spacing, int coarsest, int corner, int width, int height) {
     int2 p = lattice_pixel(at, spacing, corner, width, height);
     if (spacing < coarsest && ((p.x | p.y) & (2 * spacing - 1)) == 0) return -1;
     return pencil_at[p.y * width + p.x];

@@ -1,4 +1,7 @@
-// The 2x2 bilinear footprint of packets of directions in an octahedral tile. Needs packet.cl, octahedral.cl and PENCIL_WIDTH.
+// The 2x2 bilinear footprint of packets of directions in an octahedral tile.
+
+#include "lib/packet.cl"
+#include "shared/atlas.h"
 
 /// Where a packet of directions falls in a tile: index of the footprint's first texel (gutter layout, relative to the tile) and the
 /// bilinear weights of its second column and row.
@@ -12,7 +15,7 @@ typedef struct Footprint {
 #define FOOTPRINT_TINY 1e-30f
 
 /// thesis eq. (4.25), listing 4.2 with its operands put right. DEVIATION: copysign, not SGN: the sign of 0 must not be 0 on the seam.
-inline Footprint packet_footprint(vfloat vx, vfloat vy, vfloat vz, int n) {
+static inline Footprint packet_footprint(vfloat vx, vfloat vy, vfloat vz, int n) {
     vfloat norm = fmax(fabs(vx) + fabs(vy) + fabs(vz), (vfloat)(FOOTPRINT_TINY));
     vfloat scale = (0.5f * n) / norm;
     vfloat fold = fmax(-vz, (vfloat)(0.0f));
@@ -31,4 +34,4 @@ inline Footprint packet_footprint(vfloat vx, vfloat vy, vfloat vz, int n) {
 }
 
 /// First texel of the footprint of lane l; -1 is the gutter.
-inline int2 footprint_corner(const Footprint *f, int l) { return (int2)(LANE_INT(f->x, l), LANE_INT(f->y, l)) - PENCIL_GUTTER; }
+static inline int2 footprint_corner(const Footprint *f, int l) { return (int2)(LANE_INT(f->x, l), LANE_INT(f->y, l)) - PENCIL_GUTTER; }

@@ -1,7 +1,9 @@
-// Random bits from counters: the PCG hash of 32 bits (Jarzynski and Olano 2020), for one number and for packets. Needs packet.cl.
+// Random bits from counters: the PCG hash of 32 bits (Jarzynski and Olano 2020), for one number and for packets.
+
+#include "lib/packet.cl"
 
 #define PCG_HASH(type, name)                                                 \
-    inline type name(type v) {                                               \
+    static inline type name(type v) {                                               \
         type state = v * 747796405u + 2891336453u;                           \
         type word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u; \
         return (word >> 22u) ^ word;                                         \

@@ -1,16 +1,18 @@
 // The map of a surface pencil: n x n texels over the hemisphere about a normal, of equal cosine-weighted solid angle pi / n^2, by the
 // concentric map of square to disc (Shirley and Chiu 1997) and Malley's projection of the disc. DEVIATION: not octahedral: an octahedral
 // map would spend half of its texels below the surface and most of the others where the cosine is small. Each texel is seen through one
-// point of it, random for each key and shifted from turn to turn: sums over texels are unbiased. n is a multiple of 4. Needs packet.cl, hash.cl.
+// point of it, random for each key and shifted from turn to turn: sums over texels are unbiased. n is a multiple of 4.
+
+#include "lib/packet.cl"
 
 /// Texel of map entry `i`: entries run through blocks of 4 x 4 texels, so that packets see neighbouring things.
-inline int2 hemisphere_texel(int i, int n) {
+static inline int2 hemisphere_texel(int i, int n) {
     int block = i / 16, lane = i % 16;
     return (int2)(block % (n / 4) * 4 + lane % 4, block / (n / 4) * 4 + lane / 4);
 }
 
 /// Point of the unit disc for a point of the square [-1, 1]^2.
-inline void concentric_disc(vfloat a, vfloat b, vfloat *x, vfloat *y) {
+static inline void concentric_disc(vfloat a, vfloat b, vfloat *x, vfloat *y) {
     vint wide = PACKET_MASK(fabs(a) > fabs(b));
     vfloat radius = select(b, a, wide), other = select(a, b, wide);
     vfloat angle = select(other / radius, (vfloat)(0.0f), PACKET_MASK(radius == 0.0f)) * (0.25f * M_PI_F);
@@ -20,7 +22,7 @@ inline void concentric_disc(vfloat a, vfloat b, vfloat *x, vfloat *y) {
 }
 
 /// Tangents of a unit normal, without a branch that jumps (Duff et al. 2017).
-inline void tangent_frame(float3 n, float3 *t, float3 *b) {
+static inline void tangent_frame(float3 n, float3 *t, float3 *b) {
     float s = copysign(1.0f, n.z);
     float k = -1.0f / (s + n.z);
     float m = n.x * n.y * k;
@@ -29,4 +31,4 @@ inline void tangent_frame(float3 n, float3 *t, float3 *b) {
 }
 
 /// Sector of azimuth of (x, y), 0 .. RING_SECTORS - 1.
-inline int ring_sector(float x, float y) { return (x < 0.0f ? 4 : 0) | (y < 0.0f ? 2 : 0) | (fabs(x) < fabs(y) ? 1 : 0); }
+static inline int ring_sector(float x, float y) { return (x < 0.0f ? 4 : 0) | (y < 0.0f ? 2 : 0) | (fabs(x) < fabs(y) ? 1 : 0); }

@@ -1,10 +1,14 @@
-// What a light sample sends to packets of surfels (thesis alg. 6.2), visibility apart. Needs packet.cl, surfel_packet.cl, shared/light.h.
+// What a light sample sends to packets of surfels (thesis alg. 6.2), visibility apart.
 // DEVIATION: cos cos / r^2 becomes cos cos / (r^2 + A/pi), A the area the sample stands for: the form factor of a disc of that area, exact
 // on its axis. It is bounded where r -> 0 and tends to the printed form as A does to 0. Point lights have A = 0 and cos_l = 1.
 
+#include "lib/packet.cl"
+#include "lib/surfel_packet.cl"
+#include "shared/light.h"
+
 /// Geometry term of the sample for each surfel, with one division for all of it; 0 where they do not face each other. (vx, vy, vz): from
 /// the sample to the surfels.
-inline vfloat sample_weight(const SurfelPacket *s, global const LightSample *sample, vfloat vx, vfloat vy, vfloat vz) {
+static inline vfloat sample_weight(const SurfelPacket *s, global const LightSample *sample, vfloat vx, vfloat vy, vfloat vz) {
     float4 normal = sample->normal;
     bool area = sample->position.w != 0.0f;
     vfloat weight = packet_cosine_towards(s, vx, vy, vz);

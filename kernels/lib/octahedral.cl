@@ -1,8 +1,10 @@
 // Octahedral map, thesis eq. (4.25): the only place of this mathematics on the device. u, v are in [-1, 1]; texel (x, y) of a tile of
 // n x n texels has its centre at u = (2 x + 1) / n - 1. Directions have unit L1 norm where they come out of the map.
 
+#include "shared/atlas.h"
+
 /// Direction of unit L1 norm through (u, v); inverse of eq. (4.25). Inside the diamond |u| + |v| <= 1 lies z >= 0.
-inline float4 oct_to_direction(float u, float v) {
+static inline float4 oct_to_direction(float u, float v) {
     float z = 1.0f - fabs(u) - fabs(v);
     float fold = fmax(-z, 0.0f);
     return (float4)(u - copysign(fold, u), v - copysign(fold, v), z, 0.0f);
@@ -10,19 +12,19 @@ inline float4 oct_to_direction(float u, float v) {
 
 /// Folds texel coordinates that lie up to one texel outside the tile back into it: (-1, y) is (0, n-1-y), and so on for all four sides;
 /// a corner goes to the diagonally opposite corner.
-inline int2 oct_fold_texel(int2 texel, int n) {
+static inline int2 oct_fold_texel(int2 texel, int n) {
     if (texel.x < 0 || texel.x >= n) texel = (int2)(texel.x < 0 ? -1 - texel.x : 2 * n - 1 - texel.x, n - 1 - texel.y);
     if (texel.y < 0 || texel.y >= n) texel = (int2)(n - 1 - texel.x, texel.y < 0 ? -1 - texel.y : 2 * n - 1 - texel.y);
     return texel;
 }
 
 /// Direction of unit L1 norm through the centre of a texel.
-inline float4 oct_texel_direction(int2 texel, int n) {
+static inline float4 oct_texel_direction(int2 texel, int n) {
     return oct_to_direction((2 * texel.x + 1) / (float)n - 1.0f, (2 * texel.y + 1) / (float)n - 1.0f);
 }
 
 /// Texel whose centre lies in the opposite direction: |u'| = 1 - |v|, |v'| = 1 - |u|, signs turned.
-inline int2 oct_antipode(int2 texel, int n) {
+static inline int2 oct_antipode(int2 texel, int n) {
     int half_n = n / 2;
     // Ring index of the mirrored quadrant, 0 next to the axis: |u| = (2 k + 1) / n.
     int kx = texel.x >= half_n ? texel.x - half_n : half_n - 1 - texel.x;
@@ -34,19 +36,19 @@ inline int2 oct_antipode(int2 texel, int n) {
 
 /// Texel of surfel `i` of a tile. Surfels run through a tile in blocks of 8 x 8 texels, and in a block in patches of 4 x 2, so that
 /// packets and blocks of packets see neighbouring things. n is a multiple of 8.
-inline int2 oct_surfel_texel(int i, int n) {
+static inline int2 oct_surfel_texel(int i, int n) {
     int block = i / 64, patch = i % 64 / 8, lane = i % 8;
     int2 corner = 8 * (int2)(block % (n / 8), block / (n / 8));
     return corner + (int2)(patch % 2 * 4 + lane % 4, patch / 2 * 2 + lane / 4);
 }
 
 /// Texel `i` of a tile in an order by blocks of 4 x 4 texels, for packets that must be compact. n is a multiple of 4.
-inline int2 oct_block_texel(int i, int n) {
+static inline int2 oct_block_texel(int i, int n) {
     int block = i / 16, lane = i % 16;
     return (int2)(block % (n / 4) * 4 + lane % 4, block / (n / 4) * 4 + lane / 4);
 }
 
 /// Index of a texel (or of a gutter texel, coordinates -1 and n) in the atlas buffer.
-inline int oct_atlas_index(int tile, int2 texel, int n) {
+static inline int oct_atlas_index(int tile, int2 texel, int n) {
     return tile * PENCIL_TILE_TEXELS(n) + (texel.y + PENCIL_GUTTER) * PENCIL_TILE_STRIDE(n) + texel.x + PENCIL_GUTTER;
 }

@@ -1,5 +1,10 @@
-// Drawing triangles into one octant of an octahedral tile (thesis 4.3.1, table 4.2 with the flip 4.17). Needs packet.cl, octahedral.cl,
-// triangle.cl, raster.cl.
+// Drawing triangles into one octant of an octahedral tile (thesis 4.3.1, table 4.2 with the flip 4.17).
+
+#include "lib/octahedral.cl"
+#include "lib/raster.cl"
+#include "lib/triangle.cl"
+#include "shared/atlas.h"
+#include "shared/geometry.h"
 
 /// Slack of the bounding box [texels], and the L1 distance below which the box of a clipped triangle is not trusted and its whole octant
 /// is searched instead.
@@ -8,7 +13,7 @@
 
 /// Direction through (u, v) in the octant of signs s: inside the diamond (u, v, 1 - sx u - sy v); outside it
 /// (sx - sx sy v, sy - sx sy u, 1 - sx u - sy v), which is the flip of eq. (4.17).
-inline RasterFrame octant_frame(float3 s) {
+static inline RasterFrame octant_frame(float3 s) {
     RasterFrame f;
     float sxy = s.x * s.y;
     bool front = s.z > 0.0f;
@@ -19,7 +24,7 @@ inline RasterFrame octant_frame(float3 s) {
 }
 
 /// Keeps the part of a polygon with a non-negative component `axis`. Returns its number of corners.
-inline int clip_polygon(const float4 *in, int count, int axis, float4 *out) {
+static inline int clip_polygon(const float4 *in, int count, int axis, float4 *out) {
     int kept = 0;
     for (int i = 0; i < count; ++i) {
         float4 p = in[i];
@@ -34,7 +39,7 @@ inline int clip_polygon(const float4 *in, int count, int axis, float4 *out) {
 
 /// Bounds of |x| / W and |y| / W over the part of the triangle in the octant, corners given with the octant's signs taken out:
 /// (min x, min y, max x, max y); min > max if no part lies in it.
-inline float4 octant_bounds(float4 p0, float4 p1, float4 p2) {
+static inline float4 octant_bounds(float4 p0, float4 p1, float4 p2) {
     float4 a[7] = {p0, p1, p2}, b[7];
     int count = 3;
     float4 low = fmin(fmin(p0, p1), p2);
@@ -55,7 +60,7 @@ inline float4 octant_bounds(float4 p0, float4 p1, float4 p2) {
 }
 
 /// Draws one triangle into one octant of one tile.
-inline void raster_octant(RasterTriangle t, float4 bounds, float3 s, int triangle, int n, global Hit *tile) {
+static inline void raster_octant(RasterTriangle t, float4 bounds, float3 s, int triangle, int n, global Hit *tile) {
     int half_n = n / 2;
     // Rings count texels from the axes outwards: |u| = (2 k + 1) / n. Outside the diamond |u| = 1 - |y|/W and |v| = 1 - |x|/W.
     float4 uv = s.z > 0.0f ? bounds : 1.0f - bounds.wzyx;
@@ -75,7 +80,7 @@ inline void raster_octant(RasterTriangle t, float4 bounds, float3 s, int triangl
 }
 
 /// Clears the texels of one octant.
-inline void clear_octant(float3 s, int n, global Hit *tile) {
+static inline void clear_octant(float3 s, int n, global Hit *tile) {
     int half_n = n / 2;
     for (int ky = 0; ky < half_n; ++ky)
         for (int kx = 0; kx < half_n; ++kx) {
@@ -97,7 +102,7 @@ typedef struct Octant {
 } Octant;
 
 /// Octant `item` % 8 of tile `item` / 8 behind first_tile, cleared.
-inline Octant clear_octant_of(int item, global const float4 *cops, int first_tile, int n, global Hit *hits) {
+static inline Octant clear_octant_of(int item, global const float4 *cops, int first_tile, int n, global Hit *hits) {
     int octant = item % 8, index = first_tile + item / 8;
     Octant o;
     o.s = (float3)(octant & 1 ? -1.0f : 1.0f, octant & 2 ? -1.0f : 1.0f, octant & 4 ? -1.0f : 1.0f);
@@ -110,7 +115,7 @@ inline Octant clear_octant_of(int item, global const float4 *cops, int first_til
 }
 
 /// Draws triangle i.
-inline void draw_triangle(const Octant *o, global const Triangle *triangles, global const float4 *planes, int i) {
+static inline void draw_triangle(const Octant *o, global const Triangle *triangles, global const float4 *planes, int i) {
     global const Triangle *triangle = triangles + i;
     float4 s = (float4)(o->s, 0.0f), cop = o->cop;
     float4 p0 = triangle->v0 - cop, p1 = triangle->v1 - cop, p2 = triangle->v2 - cop;

@@ -88,7 +88,7 @@ typedef PACKET_JOIN(uint, PENCIL_WIDTH) vuint;
 
 #if PENCIL_WIDTH > 1
 /// The lanes of a mask as bits of an int, lane 0 lowest.
-inline int packet_bits(vint mask) {
+static inline int packet_bits(vint mask) {
 #if defined(PACKET_AVX512)
     return (ushort)__builtin_ia32_cvtd2mask512(mask);
 #elif defined(PACKET_AVX) && PENCIL_WIDTH == 16
@@ -107,7 +107,7 @@ inline int packet_bits(vint mask) {
 #endif
 
 /// 1 / sqrt(v) within 4 units in the last place for v > 0 (test_packet.cpp); anything for v = 0.
-inline vfloat packet_rsqrt(vfloat v) {
+static inline vfloat packet_rsqrt(vfloat v) {
 #ifdef PACKET_AVX512
     // An estimate of 14 bits and one Newton step: a fraction of the time of a root and a division.
     vfloat y = __builtin_ia32_rsqrt14ps512_mask(v, (vfloat)(0.0f), (ushort)-1);
@@ -118,7 +118,7 @@ inline vfloat packet_rsqrt(vfloat v) {
 }
 
 /// Writes the lanes of v whose bits are set one after the other to `to`, which has room for a whole packet.
-inline void packet_store_packed(vint v, int bits, int *to) {
+static inline void packet_store_packed(vint v, int bits, int *to) {
 #ifdef PACKET_AVX512
     typedef int unaligned __attribute__((ext_vector_type(16), aligned(4)));
     *(unaligned *)to = __builtin_ia32_compresssi512_mask(v, (vint)(0), (ushort)bits);
@@ -128,7 +128,7 @@ inline void packet_store_packed(vint v, int bits, int *to) {
 }
 
 /// Sum of the lanes.
-inline float packet_sum(vfloat v) {
+static inline float packet_sum(vfloat v) {
 #if PENCIL_WIDTH == 16
     float8 a = v.lo + v.hi;
     float4 b = a.lo + a.hi;

@@ -1,7 +1,17 @@
 // Visibility of packets of surfels from one centre, by the rules of visibility.cl. Cells settle most lanes; what they leave open is settled
 // for all lanes at once that share a blocker, then for all lanes at once that share the triangles about their footprints: neighbouring
 // lanes mostly do. Sets of lanes are bits of an int here. With PENCIL_BVH there are no maps: rays through the
-// hierarchy settle everything, exactly. Needs packet.cl, surfel_packet.cl, footprint.cl, visibility.cl, bvh.cl.
+// hierarchy settle everything, exactly.
+
+#include "lib/bvh.cl"
+#include "lib/footprint.cl"
+#include "lib/packet.cl"
+#include "lib/surfel_packet.cl"
+#include "lib/triangle.cl"
+#include "lib/visibility.cl"
+#include "shared/atlas.h"
+#include "shared/bvh.h"
+#include "shared/geometry.h"
 
 /// A shadow ray passes planes that its surfel is beyond by less than this: rounding of positions [scene units].
 #define SHADOW_TOLERANCE 1e-7f
@@ -15,7 +25,7 @@ typedef struct Aimed {
 } Aimed;
 
 /// Footprints in `tile` of the directions v. Neighbouring lanes mostly share the cache line of their cells.
-inline void aim_packet(const VisibilityMap *map, int tile, vfloat vx, vfloat vy, vfloat vz, Aimed *aimed) {
+static inline void aim_packet(const VisibilityMap *map, int tile, vfloat vx, vfloat vy, vfloat vz, Aimed *aimed) {
     if (PENCIL_BVH) return;
     aimed->f = packet_footprint(vx, vy, vz, map->n);
     aimed->f.index += tile * PENCIL_TILE_TEXELS(map->n);
@@ -24,14 +34,14 @@ inline void aim_packet(const VisibilityMap *map, int tile, vfloat vx, vfloat vy,
 }
 
 /// Lanes that lie behind `plane` as seen from `cop`.
-inline int packet_behind(const SurfelPacket *s, float4 plane, float4 cop) {
+static inline int packet_behind(const SurfelPacket *s, float4 plane, float4 cop) {
     if (plane_ahead(plane, cop) <= 0.0f) plane = -plane;
     vfloat ahead = plane.w - fma(s->x, (vfloat)(plane.x), fma(s->y, (vfloat)(plane.y), s->z * plane.z));
     return PACKET_BITS(PACKET_MASK(ahead <= -PLANE_TOLERANCE));
 }
 
 /// Lanes whose line from `cop` passes through the triangle or its border; `side` is the sign of plane_ahead(cop).
-inline int packet_meets_triangle(const SurfelPacket *s, global const Triangle *t, float4 cop, float side) {
+static inline int packet_meets_triangle(const SurfelPacket *s, global const Triangle *t, float4 cop, float side) {
     float4 a = t->v0 - cop, b = t->v1 - cop, c = t->v2 - cop;
     float4 ab = edge_normal(a, b) * side, bc = edge_normal(b, c) * side, ca = edge_normal(c, a) * side;
     vfloat x = s->x - cop.x, y = s->y - cop.y, z = s->z - cop.z;
@@ -42,7 +52,7 @@ inline int packet_meets_triangle(const SurfelPacket *s, global const Triangle *t
 }
 
 /// Those of `lanes` whose segment from `cop` crosses triangle `index` or one of its mates in front of the surfel.
-inline int packet_crosses(const SurfelPacket *s, const VisibilityMap *map, int index, float4 cop, int lanes) {
+static inline int packet_crosses(const SurfelPacket *s, const VisibilityMap *map, int index, float4 cop, int lanes) {
     global const Triangle *triangle = map->triangles + index;
     float4 plane = map->planes[triangle->plane];
     float ahead = plane_ahead(plane, cop);
@@ -57,7 +67,7 @@ inline int packet_crosses(const SurfelPacket *s, const VisibilityMap *map, int i
 
 /// Those of `lanes` that are seen past `group`, the triangles about the footprint of each of them; `inner`: for each triangle, lanes whose
 /// footprint itself shows it.
-inline int seen_past_group(const SurfelPacket *s, const VisibilityMap *map, const Footprint *f, int tile, float4 cop, const int *group,
+static inline int seen_past_group(const SurfelPacket *s, const VisibilityMap *map, const Footprint *f, int tile, float4 cop, const int *group,
                            const int *inner, int lanes) {
     int shown = 0;
     for (int g = 0; g < 4 && group[g] >= 0 && lanes; ++g) {
@@ -76,13 +86,13 @@ inline int seen_past_group(const SurfelPacket *s, const VisibilityMap *map, cons
 
 /// Lanes that lie on another plane than number `own` and beyond it, as seen from a centre to which it is `ahead`. No more tolerance than
 /// rounding: what lies in a crease is not to see past the other wall.
-inline int packet_beyond(const SurfelPacket *s, int own, float4 plane, float ahead) {
+static inline int packet_beyond(const SurfelPacket *s, int own, float4 plane, float ahead) {
     vfloat distance = plane.w - fma(s->x, (vfloat)(plane.x), fma(s->y, (vfloat)(plane.y), s->z * plane.z));
     return PACKET_BITS(PACKET_MASK(distance * copysign(1.0f, ahead) < -SHADOW_TOLERANCE) & PACKET_MASK(s->plane != own));
 }
 
 /// Those of `open` that are seen from `cop`, by rays through the hierarchy of the scene.
-inline int settle_by_rays(const SurfelPacket *s, const VisibilityMap *map, float4 cop, int open) {
+static inline int settle_by_rays(const SurfelPacket *s, const VisibilityMap *map, float4 cop, int open) {
     RayPacket rays = ray_packet(s->x - cop.x, s->y - cop.y, s->z - cop.z);
     int stack[BVH_MOST_LEVELS + 1];
     int depth = 0;
@@ -107,7 +117,7 @@ inline int settle_by_rays(const SurfelPacket *s, const VisibilityMap *map, float
 }
 
 /// Those of `open` that are seen although neither their cells nor a plane settle it, by rules 1 to 3 of visibility.cl.
-inline int settle_by_triangles(const SurfelPacket *s, const VisibilityMap *map, const Footprint *f, int tile, float4 cop, int open) {
+static inline int settle_by_triangles(const SurfelPacket *s, const VisibilityMap *map, const Footprint *f, int tile, float4 cop, int open) {
     int seen = 0;
     while (open) {
         int lead = LOWEST_LANE(open);
@@ -140,7 +150,7 @@ inline int settle_by_triangles(const SurfelPacket *s, const VisibilityMap *map, 
 
 /// Those of `open`, lanes which their cells (first, second) do not show, that are seen nevertheless. Lanes with the same blocking plane are
 /// settled at once; what lies behind the other plane of a pair, or sees three planes, is left to the triangles.
-inline int settle_by_planes(const SurfelPacket *s, const VisibilityMap *map, const Footprint *f, int tile, float4 cop, vint first,
+static inline int settle_by_planes(const SurfelPacket *s, const VisibilityMap *map, const Footprint *f, int tile, float4 cop, vint first,
                             vint second, int open) {
     vint pair = CELL_PAIR(second);
     vint filled = PACKET_MASK(first == second) & PACKET_MASK(first >= 0);
@@ -158,7 +168,7 @@ inline int settle_by_planes(const SurfelPacket *s, const VisibilityMap *map, con
 }
 
 /// Lanes of an aimed packet that are seen from `cop`, the centre of `tile`.
-inline int packet_visible(const SurfelPacket *s, const VisibilityMap *map, const Aimed *aimed, int tile, float4 cop) {
+static inline int packet_visible(const SurfelPacket *s, const VisibilityMap *map, const Aimed *aimed, int tile, float4 cop) {
     if (!aimed->faces) return 0;
     if (PENCIL_BVH) return settle_by_rays(s, map, cop, aimed->faces);
     int cells[2 * PENCIL_WIDTH];

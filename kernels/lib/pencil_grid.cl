@@ -1,4 +1,8 @@
-// The surface pencils near a point, by the grid. Needs surface_pencil.cl.
+// The surface pencils near a point, by the grid.
+
+#include "lib/packet.cl"
+#include "lib/surface_pencil.cl"
+#include "shared/surface_pencil.h"
 
 /// Pencils that one look-up combines at most.
 #define LINKS 4
@@ -10,7 +14,7 @@ typedef struct PencilLinks {
     float weight[LINKS];
 } PencilLinks;
 
-inline void insert_link(PencilLinks *links, int index, float weight) {
+static inline void insert_link(PencilLinks *links, int index, float weight) {
     for (int k = 0; k < LINKS; ++k)
         if (weight > links->weight[k]) {
             float w = links->weight[k];
@@ -23,7 +27,7 @@ inline void insert_link(PencilLinks *links, int index, float weight) {
 }
 
 /// Entries of one block within whose radius x lies and that face the same way; `level`: those of them on whose surface x lies.
-inline int block_reaches(global const float *block, float3 x, float3 n, vfloat *distance, vfloat *cosine, int *level) {
+static inline int block_reaches(global const float *block, float3 x, float3 n, vfloat *distance, vfloat *cosine, int *level) {
     vfloat sx = x.x - PACKET_LOAD(block + ENTRY_X * PENCIL_WIDTH), sy = x.y - PACKET_LOAD(block + ENTRY_Y * PENCIL_WIDTH),
            sz = x.z - PACKET_LOAD(block + ENTRY_Z * PENCIL_WIDTH);
     vfloat nx = PACKET_LOAD(block + ENTRY_NX * PENCIL_WIDTH), ny = PACKET_LOAD(block + ENTRY_NY * PENCIL_WIDTH),
@@ -36,7 +40,7 @@ inline int block_reaches(global const float *block, float3 x, float3 n, vfloat *
     return PACKET_BITS(reaches);
 }
 
-inline PencilLinks nearest_pencils(global const SurfacePencil *pencils, PencilGrid grid, global const int *starts,
+static inline PencilLinks nearest_pencils(global const SurfacePencil *pencils, PencilGrid grid, global const int *starts,
                                    global const float *entries, float3 x, float3 n) {
     PencilLinks links = {{-1, -1, -1, -1}, {0.0f, 0.0f, 0.0f, 0.0f}};
     int3 cell = convert_int3((x - grid.low.xyz) * grid.low.w);
@@ -76,7 +80,7 @@ inline PencilLinks nearest_pencils(global const SurfacePencil *pencils, PencilGr
 }
 
 /// The weighted mean of the linked pencils' irradiance, 0 where there are none.
-inline float3 linked_irradiance(global const float4 *irradiance, PencilLinks links) {
+static inline float3 linked_irradiance(global const float4 *irradiance, PencilLinks links) {
     float3 sum = (float3)(0.0f);
     for (int k = 0; k < LINKS && links.index[k] >= 0; ++k) sum += links.weight[k] * irradiance[links.index[k]].xyz;
     return sum;

@@ -1,6 +1,13 @@
 // What a block of surfels receives from pencils. Every form of weights (weights_*.cl) brings
 //   void sum_pencils(packets, map, radiance, cops, pencil_count, directions, tiles, sums)
-// which adds all pencils to the sums, and says which with which weight. Needs packet_visibility.cl.
+// which adds all pencils to the sums, and says which with which weight.
+
+#include "lib/packet.cl"
+#include "lib/packet_visibility.cl"
+#include "lib/surfel_packet.cl"
+#include "lib/visibility.cl"
+#include "shared/atlas.h"
+#include "shared/weights.h"
 
 /// Sums over the pencils that the surfels of a block see.
 typedef struct ProjectionSums {
@@ -9,7 +16,7 @@ typedef struct ProjectionSums {
     float density[PENCIL_BLOCK * PENCIL_WIDTH];  // sum of D, for PENCIL_WEIGHTS_THESIS only
 } ProjectionSums;
 
-inline void clear_sums(ProjectionSums *sums) {
+static inline void clear_sums(ProjectionSums *sums) {
     for (int l = 0; l < PENCIL_BLOCK * PENCIL_WIDTH; ++l) {
         sums->light[l] = (float4)(0.0f);
         sums->density[l] = 0.0f;
@@ -18,7 +25,7 @@ inline void clear_sums(ProjectionSums *sums) {
 }
 
 /// Aims one packet at pencil i, with the cosine at the surfel as its weight.
-inline void aim_at_pencil(const SurfelPacket *s, const VisibilityMap *map, float4 cop, int i, Aimed *aimed) {
+static inline void aim_at_pencil(const SurfelPacket *s, const VisibilityMap *map, float4 cop, int i, Aimed *aimed) {
     vfloat vx = s->x - cop.x, vy = s->y - cop.y, vz = s->z - cop.z;
     vfloat towards = packet_cosine_towards(s, vx, vy, vz);
     aimed->faces = PACKET_BITS(PACKET_MASK(towards > 0.0f));
@@ -28,7 +35,7 @@ inline void aim_at_pencil(const SurfelPacket *s, const VisibilityMap *map, float
 }
 
 /// Asks for the texels that a packet is aimed at.
-inline void prefetch_radiance(const Aimed *aimed, global const float4 *radiance, int n) {
+static inline void prefetch_radiance(const Aimed *aimed, global const float4 *radiance, int n) {
 #pragma unroll
     for (int l = 0; l < PENCIL_WIDTH; l += 2) {
         global const float4 *texel = radiance + LANE_INT(aimed->f.index, l);
@@ -39,7 +46,7 @@ inline void prefetch_radiance(const Aimed *aimed, global const float4 *radiance,
 
 /// Radiance (rgb) and density weight 1/D (w) by bilinear interpolation. DEVIATION: 1/D is interpolated, not D: it is what is used.
 /// Two texels of a row are loaded at once.
-inline float4 fetch_radiance(global const float4 *radiance, int index, int stride, float fx, float fy) {
+static inline float4 fetch_radiance(global const float4 *radiance, int index, int stride, float fx, float fy) {
     global const float *texel = (global const float *)(radiance + index);
     float8 upper = vload8(0, texel), lower = vload8(0, texel + 4 * stride);
     float8 row = upper + fy * (lower - upper);
@@ -47,7 +54,7 @@ inline float4 fetch_radiance(global const float4 *radiance, int index, int strid
 }
 
 /// Adds what surfel number `surfel` of the block receives along its aimed direction to the sums.
-inline void add_seen(const Aimed *block, uint surfel, global const float4 *radiance, int stride, ProjectionSums *sums) {
+static inline void add_seen(const Aimed *block, uint surfel, global const float4 *radiance, int stride, ProjectionSums *sums) {
     const Aimed *aimed = block + surfel / PENCIL_WIDTH;
     uint l = surfel % PENCIL_WIDTH;
     float4 texel = fetch_radiance(radiance, LANE_INT(aimed->f.index, l), stride, LANE_FLOAT(aimed->f.fx, l), LANE_FLOAT(aimed->f.fy, l));
@@ -59,7 +66,7 @@ inline void add_seen(const Aimed *block, uint surfel, global const float4 *radia
 
 /// Adds to the sums of a block what its `lanes`, bits per packet, receive from the pencil that they are aimed at: lists them, then fetches
 /// what is on the list in one loop without branches.
-inline void add_lanes(const Aimed *aimed, const int *lanes, global const float4 *radiance, int n, ProjectionSums *sums) {
+static inline void add_lanes(const Aimed *aimed, const int *lanes, global const float4 *radiance, int n, ProjectionSums *sums) {
     int list[(PENCIL_BLOCK + 1) * PENCIL_WIDTH], count = 0;
     for (int p = 0; p < PENCIL_BLOCK; ++p) {
         packet_store_packed(p * PENCIL_WIDTH + PACKET_LANES, lanes[p], list + count);
@@ -71,7 +78,7 @@ inline void add_lanes(const Aimed *aimed, const int *lanes, global const float4 
 }
 
 /// Irradiance from the sums of surfel l of the block: E = pi sum(L w) / sum(w), and the printed form E = 2 pi / n_v^2 sum(D) sum(L cos/D).
-inline float3 projected_irradiance(const ProjectionSums *sums, int l) {
+static inline float3 projected_irradiance(const ProjectionSums *sums, int l) {
     float4 light = sums->light[l];
     float seen = (float)LANE_INT(sums->seen, l);
     if (PENCIL_WEIGHTS == PENCIL_WEIGHTS_THESIS)

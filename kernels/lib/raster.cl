@@ -1,6 +1,10 @@
 // Core of the triangle rasteriser. In each octant of the octahedral map, and on the film, the direction is affine in the texel
 // coordinates (thesis eq. (4.14), table 4.2), hence so are the three edge functions of a triangle and its disparity: no clipping
-// decides coverage, only signs at texel centres. Needs packet.cl, triangle.cl.
+// decides coverage, only signs at texel centres.
+
+#include "lib/packet.cl"
+#include "lib/triangle.cl"
+#include "shared/geometry.h"
 
 /// Edge functions (x, y, z) and disparity (w) of one triangle as affine functions a u + b v + c.
 typedef struct RasterTriangle {
@@ -14,7 +18,7 @@ typedef struct RasterFrame {
 
 /// Composes edge functions and disparity with the frame. `ahead` is plane_ahead of the centre of projection, not within rounding of 0.
 /// Seen from the back a triangle's edge functions turn their sign, as `ahead` does.
-inline RasterTriangle raster_setup(float4 p0, float4 p1, float4 p2, float4 plane, float ahead, RasterFrame frame) {
+static inline RasterTriangle raster_setup(float4 p0, float4 p1, float4 p2, float4 plane, float ahead, RasterFrame frame) {
     float side = ahead > 0.0f ? 1.0f : -1.0f;
     float3 e0 = edge_normal(p0, p1).xyz * side;
     float3 e1 = edge_normal(p1, p2).xyz * side;
@@ -30,7 +34,7 @@ inline RasterTriangle raster_setup(float4 p0, float4 p1, float4 p2, float4 plane
 
 /// Draws texels first..last of one row: u of texel x is u0 + x * du. `row` points at texel 0. What has a larger disparity than `nearest` is
 /// not there (INFINITY: all is). Larger disparity wins; at equal disparity the lower triangle index (documented tie).
-inline void raster_row(const RasterTriangle *t, int triangle, float u0, float du, float v, int first, int last, float nearest,
+static inline void raster_row(const RasterTriangle *t, int triangle, float u0, float du, float v, int first, int last, float nearest,
                        global Hit *row) {
     float4 base = t->b * v + t->c;
     for (int x = first; x <= last; x += PENCIL_WIDTH) {
@@ -57,6 +61,6 @@ inline void raster_row(const RasterTriangle *t, int triangle, float u0, float du
 
 /// Texels whose centres lie in [low, high], both measured in texels from the first texel's lower border; widened by `slack` texels
 /// because it only bounds the search: the edge functions decide.
-inline int2 raster_range(float low, float high, float slack, int last) {
+static inline int2 raster_range(float low, float high, float slack, int last) {
     return (int2)(max((int)ceil(low - 0.5f - slack), 0), min((int)floor(high - 0.5f + slack), last));
 }

@@ -2,7 +2,12 @@
 //   d = |(vx, vy, vz)|_p, eq. (4.5)          a superquadric paraboloid (PENCIL_SUPERQUADRIC_CONE 0); p = 2 is the paraboloid map
 //   d = |(vx, vy)|_p, eqs (4.9) to (4.11)    a superquadric cone (PENCIL_SUPERQUADRIC_CONE 1); p = INFINITY is the pyramid map, and p = 1
 //                                            is one half of the octahedral map
-// Tile 0 is the hemisphere z >= 0, tile 1 the other; a hemisphere fills |(u, v)|_p <= 1. Needs map_tiles.cl.
+// Tile 0 is the hemisphere z >= 0, tile 1 the other; a hemisphere fills |(u, v)|_p <= 1.
+
+#include "lib/footprint.cl"
+#include "lib/map_tiles.cl"
+#include "lib/packet.cl"
+
 #if !defined(PENCIL_SUPERQUADRIC_EXPONENT) || !defined(PENCIL_SUPERQUADRIC_CONE)
 #error PENCIL_SUPERQUADRIC_EXPONENT (1 to INFINITY) and PENCIL_SUPERQUADRIC_CONE (0 or 1) choose the map
 #endif
@@ -12,14 +17,14 @@
 #define SUPERQUADRIC_HALVINGS 24
 
 /// L_p norm of (a, b), both >= 0.
-inline float superquadric_norm(float a, float b) {
+static inline float superquadric_norm(float a, float b) {
     if (SUPERQUADRIC_P == 1.0f) return a + b;
     if (SUPERQUADRIC_P == 2.0f) return sqrt(a * a + b * b);
     float most = fmax(a, b);
     if (isinf(SUPERQUADRIC_P) || most == 0.0f) return most;
     return most * powr(powr(a / most, SUPERQUADRIC_P) + powr(b / most, SUPERQUADRIC_P), 1.0f / SUPERQUADRIC_P);
 }
-inline vfloat packet_superquadric_norm(vfloat a, vfloat b) {
+static inline vfloat packet_superquadric_norm(vfloat a, vfloat b) {
     if (SUPERQUADRIC_P == 1.0f) return a + b;
     if (SUPERQUADRIC_P == 2.0f) return sqrt(fma(a, a, b * b));
     vfloat most = fmax(fmax(a, b), (vfloat)(FOOTPRINT_TINY));
@@ -29,7 +34,7 @@ inline vfloat packet_superquadric_norm(vfloat a, vfloat b) {
 }
 
 /// z of the direction (x, y, z) with z + d = 1 whose (x, y) has norm r <= 1.
-inline float superquadric_height_inside(float r) {
+static inline float superquadric_height_inside(float r) {
     if (PENCIL_SUPERQUADRIC_CONE) return 1.0f - r;
     if (SUPERQUADRIC_P == 1.0f) return 0.5f * (1.0f - r);
     if (SUPERQUADRIC_P == 2.0f) return 0.5f * (1.0f - r * r);
@@ -46,19 +51,19 @@ inline float superquadric_height_inside(float r) {
 }
 
 /// Direction through (u, v). Beyond |(u, v)|_p = 1 the base is continued by its point reflection about the rim: into the other hemisphere.
-inline float4 superquadric_to_direction(float u, float v, int tile) {
+static inline float4 superquadric_to_direction(float u, float v, int tile) {
     float r = superquadric_norm(fabs(u), fabs(v));
     float z = r <= 1.0f ? superquadric_height_inside(r) : -superquadric_height_inside(fmax(2.0f - r, 0.0f));
     return (float4)(u, v, tile ? -z : z, 0.0f);
 }
 
 /// Texels beyond the rim continue the map: they hold what lies across the seam. Its two sides meet up to interpolation error.
-inline float4 superquadric_stored_direction(int2 texel, int tile, int n) {
+static inline float4 superquadric_stored_direction(int2 texel, int tile, int n) {
     return superquadric_to_direction(tile_coordinate(texel.x, n), tile_coordinate(texel.y, n), tile);
 }
 
 /// g / |d|^3 with d the direction of superquadric_to_direction; g = z - r dz/dr is 1 for cones (Euler's theorem).
-inline float superquadric_solid_angle_density(float u, float v, int tile) {
+static inline float superquadric_solid_angle_density(float u, float v, int tile) {
     float r = superquadric_norm(fabs(u), fabs(v));
     if (r > 1.0f) return 0.0f;
     float z = superquadric_height_inside(r), g = 1.0f, length2 = u * u + v * v + z * z;
@@ -71,7 +76,7 @@ inline float superquadric_solid_angle_density(float u, float v, int tile) {
     return g / (length2 * sqrt(length2));
 }
 
-inline Footprint superquadric_footprint(vfloat vx, vfloat vy, vfloat vz, int n) {
+static inline Footprint superquadric_footprint(vfloat vx, vfloat vy, vfloat vz, int n) {
     vfloat d = packet_superquadric_norm(fabs(vx), fabs(vy));
     if (!PENCIL_SUPERQUADRIC_CONE) d = packet_superquadric_norm(d, fabs(vz));
     vfloat scale = 1.0f / fmax(fabs(vz) + d, (vfloat)(FOOTPRINT_TINY));

@@ -1,5 +1,8 @@
 // Local projection: whether, and how well, the irradiance of a surface pencil stands for that of a surface point near it (Ward, Rubinstein
-// and Clear 1988, with the horizon of the pencil against light through walls). Needs hemisphere.cl, shared/surface_pencil.h.
+// and Clear 1988, with the horizon of the pencil against light through walls).
+
+#include "lib/hemisphere.cl"
+#include "shared/surface_pencil.h"
 
 /// Normals further apart than this cosine are not interpolated.
 #define REUSE_LEAST_COSINE 0.5f
@@ -11,7 +14,7 @@
 #define REUSE_TURN 0.5f
 
 /// True if nothing at the horizon of the pencil lies between it and the point at `step` from it.
-inline bool clear_horizon(global const SurfacePencil *p, float3 step) {
+static inline bool clear_horizon(global const SurfacePencil *p, float3 step) {
     float3 t, b;
     tangent_frame(p->normal.xyz, &t, &b);
     float x = dot(step, t), y = dot(step, b);
@@ -21,7 +24,7 @@ inline bool clear_horizon(global const SurfacePencil *p, float3 step) {
 }
 
 /// Distance from the pencil to x if it is at most `most` and the pencil's irradiance may be used there, INFINITY otherwise.
-inline float reuse_distance(global const SurfacePencil *p, float3 x, float3 n, float most) {
+static inline float reuse_distance(global const SurfacePencil *p, float3 x, float3 n, float most) {
     float3 step = x - p->position.xyz;
     float square = dot(step, step);
     if (square > most * most) return INFINITY;
@@ -34,6 +37,6 @@ inline float reuse_distance(global const SurfacePencil *p, float3 x, float3 n, f
 }
 
 /// Ward's estimate of the relative change of irradiance from the pencil to a point at `distance` from it with normal n.
-inline float reuse_error(global const SurfacePencil *p, float distance, float3 n) {
+static inline float reuse_error(global const SurfacePencil *p, float distance, float3 n) {
     return distance / p->position.w + REUSE_TURN * sqrt(fmax(1.0f - dot(p->normal.xyz, n), 0.0f));
 }

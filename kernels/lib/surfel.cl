@@ -1,7 +1,11 @@
-// Builds one surfel from a hit. Needs triangle.cl.
+// Builds one surfel from a hit.
+
+#include "lib/triangle.cl"
+#include "shared/geometry.h"
+#include "shared/surfel.h"
 
 /// Barycentric weights of the line through `cop` along `direction`, from the rasteriser's own edge functions.
-inline float3 hit_barycentric(global const Triangle *t, float4 cop, float4 direction) {
+static inline float3 hit_barycentric(global const Triangle *t, float4 cop, float4 direction) {
     float4 a = t->v0 - cop, b = t->v1 - cop, c = t->v2 - cop;
     float3 e = (float3)(dot(edge_normal(b, c).xyz, direction.xyz), dot(edge_normal(c, a).xyz, direction.xyz),
                         dot(edge_normal(a, b).xyz, direction.xyz));
@@ -9,7 +13,7 @@ inline float3 hit_barycentric(global const Triangle *t, float4 cop, float4 direc
 }
 
 /// Writes surfel `i` of a buffer of `capacity` surfels: what the ray from `cop` along `direction` meets at 1 / hit.disparity.
-inline void write_surfel(global float *surfels, int capacity, int i, Hit hit, float4 cop, float4 direction,
+static inline void write_surfel(global float *surfels, int capacity, int i, Hit hit, float4 cop, float4 direction,
                          global const Triangle *triangles, global const float4 *planes, global const Material *materials,
                          global const float4 *normals) {
     global float *s = surfels + i;

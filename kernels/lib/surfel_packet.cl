@@ -1,5 +1,8 @@
-// Packets of surfels. Needs packet.cl. A work-item takes a block of PENCIL_BLOCK packets and runs through it pencil by pencil: neighbouring
+// Packets of surfels. A work-item takes a block of PENCIL_BLOCK packets and runs through it pencil by pencil: neighbouring
 // surfels meet the same texels, which then are in the nearest cache.
+
+#include "lib/packet.cl"
+#include "shared/surfel.h"
 
 /// What the transport loops need of PENCIL_WIDTH surfels.
 typedef struct SurfelPacket {
@@ -9,11 +12,11 @@ typedef struct SurfelPacket {
     vint plane;
 } SurfelPacket;
 
-inline float4 surfel_position(const SurfelPacket *p, int l) {
+static inline float4 surfel_position(const SurfelPacket *p, int l) {
     return (float4)(LANE_FLOAT(p->x, l), LANE_FLOAT(p->y, l), LANE_FLOAT(p->z, l), 0.0f);
 }
 
-inline SurfelPacket load_surfels(global const float *surfels, int capacity, int first) {
+static inline SurfelPacket load_surfels(global const float *surfels, int capacity, int first) {
     global const float *s = surfels + first;
     SurfelPacket p;
     p.x = PACKET_LOAD(s + (size_t)SURFEL_X * capacity);
@@ -32,7 +35,7 @@ inline SurfelPacket load_surfels(global const float *surfels, int capacity, int 
 }
 
 /// |x| |v| cos of the angle between the shading normals and -v; 0 where -v is not on the seen side of both normals.
-inline vfloat packet_cosine_towards(const SurfelPacket *p, vfloat vx, vfloat vy, vfloat vz) {
+static inline vfloat packet_cosine_towards(const SurfelPacket *p, vfloat vx, vfloat vy, vfloat vz) {
     vfloat c = -fma(p->nx, vx, fma(p->ny, vy, p->nz * vz));
     c = fmax(c, (vfloat)(0.0f));
     if (PENCIL_SMOOTH) c = select(c, (vfloat)(0.0f), PACKET_MASK(fma(p->gx, vx, fma(p->gy, vy, p->gz * vz)) >= 0.0f));
@@ -40,7 +43,7 @@ inline vfloat packet_cosine_towards(const SurfelPacket *p, vfloat vx, vfloat vy,
 }
 
 /// Adds (accumulate) or writes a packet of rgb to rgb_buffer[3][capacity].
-inline void store_rgb(global float *rgb_buffer, int capacity, int first, vfloat r, vfloat g, vfloat b, int accumulate) {
+static inline void store_rgb(global float *rgb_buffer, int capacity, int first, vfloat r, vfloat g, vfloat b, int accumulate) {
     global float *out = rgb_buffer + first;
     if (accumulate) {
         r += PACKET_LOAD(out);
@@ -53,7 +56,7 @@ inline void store_rgb(global float *rgb_buffer, int capacity, int first, vfloat 
 }
 
 /// Scatters irradiance by the diffuse BRDF albedo / pi (operator K).
-inline void scatter_irradiance(global const float *surfels, int capacity, int first, vfloat r, vfloat g, vfloat b, global float *rgb_buffer,
+static inline void scatter_irradiance(global const float *surfels, int capacity, int first, vfloat r, vfloat g, vfloat b, global float *rgb_buffer,
                                int accumulate) {
     global const float *s = surfels + first;
     r *= M_1_PI_F * PACKET_LOAD(s + (size_t)SURFEL_ALBEDO_R * capacity);

@@ -1,11 +1,16 @@
 // Visibility V(x, c) of thesis eq. (5.17) from the geometry map of c. No scene-dependent epsilon: the footprint agrees if it shows the
 // plane of the surfel and nothing that could hide it (fold_hits.cl). Otherwise planes and, at silhouettes, the triangles that the
-// footprint shows are tested against the segment from c to x exactly. Needs octahedral.cl, triangle.cl. Rules for a footprint that its
+// footprint shows are tested against the segment from c to x exactly. Rules for a footprint that its
 // cell does not settle, in this order:
 //   1. a triangle shown by the footprint or by a texel next to it, or a mate of that triangle in the same plane, that the segment crosses
 //      in front of x hides x: a wall of two triangles may show one and be crossed in the other;
 //   2. a texel that shows the plane of x itself shows x;
 //   3. otherwise x is hidden if texels of more than half the bilinear weight hide it (hiding_weight).
+
+#include "lib/octahedral.cl"
+#include "lib/triangle.cl"
+#include "shared/bvh.h"
+#include "shared/geometry.h"
 
 /// A geometry map and what it shows.
 typedef struct VisibilityMap {
@@ -20,7 +25,7 @@ typedef struct VisibilityMap {
 } VisibilityMap;
 
 /// True if the segment from cop to x crosses triangle `index` or one of its mates in front of x.
-inline bool segment_crosses(const VisibilityMap *map, int index, float4 cop, float4 x) {
+static inline bool segment_crosses(const VisibilityMap *map, int index, float4 cop, float4 x) {
     global const Triangle *triangle = map->triangles + index;
     float4 plane = map->planes[triangle->plane];
     float cop_ahead = plane_ahead(plane, cop);
@@ -34,7 +39,7 @@ inline bool segment_crosses(const VisibilityMap *map, int index, float4 cop, flo
 
 /// Bilinear weight of the texels of a footprint that hide x although no triangle they show is crossed: x is behind the plane they show, and
 /// what they show is in front of the plane of x, which a neighbouring facet of a smooth surface never is.
-inline float hiding_weight(const VisibilityMap *map, int tile, int2 corner, float fx, float fy, float4 cop, float4 x, int own) {
+static inline float hiding_weight(const VisibilityMap *map, int tile, int2 corner, float fx, float fy, float4 cop, float4 x, int own) {
     float4 own_plane = map->planes[own];
     float own_side = plane_ahead(own_plane, cop) > 0.0f ? 1.0f : -1.0f;
     float hidden = 0.0f;
@@ -53,7 +58,7 @@ inline float hiding_weight(const VisibilityMap *map, int tile, int2 corner, floa
 
 /// Rules 1 to 3 by the texels themselves, for a footprint with more groups of triangles about it than are stored. `corner` is its first
 /// texel (-1: gutter) in `tile`, (fx, fy) its bilinear weights.
-inline bool crowded_footprint_visible(const VisibilityMap *map, int tile, int2 corner, float fx, float fy, float4 cop, float4 x, int own) {
+static inline bool crowded_footprint_visible(const VisibilityMap *map, int tile, int2 corner, float fx, float fy, float4 cop, float4 x, int own) {
     bool shown = false;
     for (int k = 0; k < 16; ++k) {
         int2 texel = oct_fold_texel(corner + (int2)(k % 4, k / 4) - 1, map->n);

@@ -1,8 +1,14 @@
 // Quadrature weights cos/D, D a density of pencils per direction: the radiance maps hold 1/D of each texel in w (estimate_density.cl,
-// free_path_density.cl). Needs projection.cl.
+// free_path_density.cl).
+
+#include "lib/packet.cl"
+#include "lib/packet_visibility.cl"
+#include "lib/projection.cl"
+#include "lib/surfel_packet.cl"
+#include "lib/visibility.cl"
 
 /// Adds every pencil that the block sees with the weight cos/D.
-inline void sum_pencils(const SurfelPacket *packets, const VisibilityMap *map, global const float4 *radiance, global const float4 *cops,
+static inline void sum_pencils(const SurfelPacket *packets, const VisibilityMap *map, global const float4 *radiance, global const float4 *cops,
                         int pencil_count, global const float4 *directions, int tiles, ProjectionSums *sums) {
     (void)directions;
     (void)tiles;

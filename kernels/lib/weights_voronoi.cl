@@ -3,7 +3,16 @@
 //
 // Cells are sampled. Up to PENCIL_CELL_GRID^2 directions of equal cosine-weighted solid angle, the same in the frame of every surfel, each
 // take the nearest pencil; what a pencil has got is its weight. Directions come in tiles of PENCIL_CELL_TILE neighbours. Only pencils that
-// may be the nearest to some direction of a tile are compared with all of them, which most are not. Needs projection.cl.
+// may be the nearest to some direction of a tile are compared with all of them, which most are not.
+
+#include "lib/footprint.cl"
+#include "lib/packet.cl"
+#include "lib/packet_visibility.cl"
+#include "lib/projection.cl"
+#include "lib/surfel_packet.cl"
+#include "lib/visibility.cl"
+#include "shared/atlas.h"
+#include "shared/weights.h"
 
 #define CELL_SAMPLES (PENCIL_CELL_GRID * PENCIL_CELL_GRID)
 #define CELL_TILES (CELL_SAMPLES / PENCIL_CELL_TILE)
@@ -31,12 +40,12 @@ typedef struct CellDirections {
     int tiles, numbers;  // number of tiles; mask of the bits that hold numbers of pencils
 } CellDirections;
 
-inline vfloat cell_distance(float4 direction, vfloat x, vfloat y, vfloat z) {
+static inline vfloat cell_distance(float4 direction, vfloat x, vfloat y, vfloat z) {
     return fma(x, (vfloat)(-direction.x), fma(y, (vfloat)(-direction.y), fma(z, (vfloat)(-direction.z), (vfloat)(CELL_OFFSET))));
 }
 
 /// Tangents without a branch that jumps (Duff et al. 2017); nothing near yet.
-inline void begin_cells(const SurfelPacket *s, const CellDirections *directions, Cells *cells) {
+static inline void begin_cells(const SurfelPacket *s, const CellDirections *directions, Cells *cells) {
     vfloat side = copysign((vfloat)(1.0f), s->nz), k = -1.0f / (side + s->nz), m = s->nx * s->ny * k;
     cells->tx = fma(side * s->nx * s->nx, k, (vfloat)(1.0f));
     cells->ty = side * m;
@@ -50,7 +59,7 @@ inline void begin_cells(const SurfelPacket *s, const CellDirections *directions,
 }
 
 /// Unit direction to `cop` in the frames of the surfels; far below the horizon for all but `lanes`.
-inline void cell_direction(const SurfelPacket *s, const Cells *cells, float4 cop, int lanes, vfloat *x, vfloat *y, vfloat *z) {
+static inline void cell_direction(const SurfelPacket *s, const Cells *cells, float4 cop, int lanes, vfloat *x, vfloat *y, vfloat *z) {
     vfloat vx = cop.x - s->x, vy = cop.y - s->y, vz = cop.z - s->z;
     vint seen = PACKET_FROM_BITS(lanes);
     vfloat scale = select((vfloat)(0.0f), packet_rsqrt(fma(vx, vx, fma(vy, vy, vz * vz))), seen);
@@ -61,7 +70,7 @@ inline void cell_direction(const SurfelPacket *s, const Cells *cells, float4 cop
 
 /// How far pencils may be from the axis of a tile to matter: any direction of the tile is within alpha of the axis, so it has a pencil
 /// within theta + alpha, theta the angle from the axis to its nearest; nearer ones are within theta + 2 alpha of the axis.
-inline void limit_cells(const CellDirections *directions, Cells *cells) {
+static inline void limit_cells(const CellDirections *directions, Cells *cells) {
     for (int g = 0; g < directions->tiles; ++g) {
         float c = directions->axes[g].w, s = sqrt(1.0f - c * c);
         vfloat h = cells->centre[g], cosine = 1.0f - h;
@@ -72,7 +81,7 @@ inline void limit_cells(const CellDirections *directions, Cells *cells) {
 }
 
 /// Offers pencil i, in direction (x, y, z), to all directions.
-inline void offer_pencil(const CellDirections *directions, vfloat x, vfloat y, vfloat z, int i, Cells *cells) {
+static inline void offer_pencil(const CellDirections *directions, vfloat x, vfloat y, vfloat z, int i, Cells *cells) {
     global const float4 *axes = directions->axes;
     const int tiles = directions->tiles, numbers = directions->numbers;
     for (int g = 0; g < tiles; ++g) {
@@ -88,7 +97,7 @@ inline void offer_pencil(const CellDirections *directions, vfloat x, vfloat y, v
 }
 
 /// Offers the pencils `first` to `last` to the cells of a block.
-inline void offer_chunk(const SurfelPacket *packets, const VisibilityMap *map, global const float4 *cops, int first, int last,
+static inline void offer_chunk(const SurfelPacket *packets, const VisibilityMap *map, global const float4 *cops, int first, int last,
                         const CellDirections *directions, Cells *cells, ProjectionSums *sums) {
     int lanes[CELL_CHUNK][PENCIL_BLOCK];
     vfloat x, y, z;
@@ -117,7 +126,7 @@ inline void offer_chunk(const SurfelPacket *packets, const VisibilityMap *map, g
 }
 
 /// Adds the pencils `first` to `last` with the number of directions that they are nearest to.
-inline void add_chunk(const SurfelPacket *packets, const VisibilityMap *map, global const float4 *radiance, global const float4 *cops,
+static inline void add_chunk(const SurfelPacket *packets, const VisibilityMap *map, global const float4 *radiance, global const float4 *cops,
                       int first, int last, const CellDirections *directions, const Cells *cells, ProjectionSums *sums) {
     const int samples = directions->tiles * PENCIL_CELL_TILE, numbers = directions->numbers;
     ushort won[CELL_CHUNK * PENCIL_BLOCK * PENCIL_WIDTH];  // [pencil][packet][lane]
@@ -148,7 +157,7 @@ inline void add_chunk(const SurfelPacket *packets, const VisibilityMap *map, glo
 }
 
 /// Adds every pencil that the block sees with the number of directions in its cell. `tiles`: of the table of directions.
-inline void sum_pencils(const SurfelPacket *packets, const VisibilityMap *map, global const float4 *radiance, global const float4 *cops,
+static inline void sum_pencils(const SurfelPacket *packets, const VisibilityMap *map, global const float4 *radiance, global const float4 *cops,
                         int pencil_count, global const float4 *directions, int tiles, ProjectionSums *sums) {
     Cells cells[PENCIL_BLOCK];
     int numbers = (int)(0xffffffffu >> clz(pencil_count));  // all ones is no pencil's number

@@ -1,8 +1,7 @@
 // Octahedral tiles lie one after the other in one buffer. A tile of SIZE x SIZE texels is stored with a gutter of one texel on every side,
 // filled by folding, so that bilinear look-ups never leave it:
 //   texel (x, y) of tile t, 0 <= x, y < SIZE  ->  t * STRIDE^2 + (y + 1) * STRIDE + (x + 1),   STRIDE = SIZE + 2
-#ifndef PENCIL_SHARED_ATLAS_H
-#define PENCIL_SHARED_ATLAS_H
+#pragma once
 
 #define PENCIL_GUTTER 1
 #define PENCIL_TILE_STRIDE(size) ((size) + 2 * PENCIL_GUTTER)
@@ -17,5 +16,3 @@
 #define GROUP_INNER 0x40000000  // of a group of triangles about a footprint: a texel of the footprint itself shows it
 #define GROUP_TRIANGLE(group) ((group) < 0 ? (group) : (group) & ~GROUP_INNER)
 #define CELL_PAIR(plane) (-3 - (plane))  // its own inverse
-
-#endif

@@ -1,10 +1,7 @@
 // Bounding-volume hierarchy over triangles: two children per node, so that one node decides which of them comes first.
-#ifndef PENCIL_SHARED_BVH_H
-#define PENCIL_SHARED_BVH_H
+#pragma once
 
-#ifndef __OPENCL_C_VERSION__
 #include "shared/types.h"
-#endif
 
 // Deepest path from the root to a leaf: the size of the traversal stack.
 #define BVH_MOST_LEVELS 48
@@ -21,5 +18,3 @@ typedef struct BvhNode {
 } BvhNode;
 
 PENCIL_SHARED_END
-
-#endif

@@ -1,10 +1,7 @@
 // Pinhole camera: the ray of the continuous pixel position (px, py), y down, is origin + t * (corner + px * step_x + py * step_y), t > 0.
-#ifndef PENCIL_SHARED_CAMERA_H
-#define PENCIL_SHARED_CAMERA_H
+#pragma once
 
-#ifndef __OPENCL_C_VERSION__
 #include "shared/types.h"
-#endif
 
 PENCIL_SHARED_BEGIN
 
@@ -22,5 +19,3 @@ typedef struct Camera {
 } Camera;
 
 PENCIL_SHARED_END
-
-#endif

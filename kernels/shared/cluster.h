@@ -1,10 +1,7 @@
 // Clusters: small groups of neighbouring triangles with one box each, which the rasteriser may leave out together.
-#ifndef PENCIL_SHARED_CLUSTER_H
-#define PENCIL_SHARED_CLUSTER_H
+#pragma once
 
-#ifndef __OPENCL_C_VERSION__
 #include "shared/types.h"
-#endif
 
 // Triangles of a cluster: cluster k has entries k * CLUSTER_TRIANGLES .. of the list of members; the last one may have fewer.
 #define CLUSTER_TRIANGLES 16
@@ -20,5 +17,3 @@ typedef struct Cluster {
 } Cluster;
 
 PENCIL_SHARED_END
-
-#endif

@@ -1,9 +1,6 @@
 // Bookkeeping of the film's visibility samples: which surfel of its pixel each sample shows.
-#ifndef PENCIL_SHARED_FILM_H
-#define PENCIL_SHARED_FILM_H
+#pragma once
 
 #define NO_SURFEL 255         // slot of a sample that shows nothing
 #define FILM_COUNT_MASK 0x7f  // of counts[pixel]: surfels of the pixel
 #define FILM_HAS_EMPTY 0x80   // of counts[pixel]: set if a sample of the pixel shows nothing
-
-#endif

@@ -1,11 +1,8 @@
 // Scene geometry as the kernels see it, in normalised scene units: the scene is recentred in double precision and scaled by a power
 // of two until its largest extent is in (1, 2], so rounding errors have one known size whatever the scene's own units are.
-#ifndef PENCIL_SHARED_GEOMETRY_H
-#define PENCIL_SHARED_GEOMETRY_H
+#pragma once
 
-#ifndef __OPENCL_C_VERSION__
 #include "shared/types.h"
-#endif
 
 PENCIL_SHARED_BEGIN
 
@@ -35,5 +32,3 @@ typedef struct Hit {
 } Hit;
 
 PENCIL_SHARED_END
-
-#endif

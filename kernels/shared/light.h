@@ -1,10 +1,7 @@
 // One point sample of the emitters, thesis alg. 6.2: l_i, n_i and E_i.
-#ifndef PENCIL_SHARED_LIGHT_H
-#define PENCIL_SHARED_LIGHT_H
+#pragma once
 
-#ifndef __OPENCL_C_VERSION__
 #include "shared/types.h"
-#endif
 
 PENCIL_SHARED_BEGIN
 
@@ -18,5 +15,3 @@ typedef struct LightSample {
 } LightSample;
 
 PENCIL_SHARED_END
-
-#endif

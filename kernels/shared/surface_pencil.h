@@ -1,11 +1,8 @@
 // A pencil on a surface: the hemisphere seen from a surfel, and how far its irradiance may be reused. The irradiance itself is in a buffer
 // beside the pencils: irradiance[pencil], rgb [W m^-2], w 0.
-#ifndef PENCIL_SHARED_SURFACE_PENCIL_H
-#define PENCIL_SHARED_SURFACE_PENCIL_H
+#pragma once
 
-#ifndef __OPENCL_C_VERSION__
 #include "shared/types.h"
-#endif
 
 #define RING_SECTORS 8         // of azimuth about the normal
 #define LINK_LAST_RESORT (-2)  // second link of a surfel whose first pencil stands for it only because no other does
@@ -51,5 +48,3 @@ typedef struct PencilGrid {
 #define ENTRY_FIELDS 8
 
 PENCIL_SHARED_END
-
-#endif

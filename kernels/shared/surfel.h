@@ -1,7 +1,6 @@
 // Surfels, structure of arrays in one float buffer: field f of surfel i is at f * capacity + i; capacity is a multiple of 128.
 // A surfel that saw nothing has plane -1, zero normal, zero albedo.
-#ifndef PENCIL_SHARED_SURFEL_H
-#define PENCIL_SHARED_SURFEL_H
+#pragma once
 
 #define SURFEL_X 0  // position [scene units]
 #define SURFEL_Y 1
@@ -20,5 +19,3 @@
 #define SURFEL_FIELDS 14
 
 #define PENCIL_NO_MATERIAL 0x7fffffff
-
-#endif

@@ -1,7 +1,6 @@
 // Vocabulary shared by C++17 and OpenCL C 1.2. This header is included by the host and prepended to every device program, so the
 // structs of kernels/shared have one definition. Only 4-byte scalars and 16-byte vectors: float3 has other sizes on the two sides.
-#ifndef PENCIL_SHARED_TYPES_H
-#define PENCIL_SHARED_TYPES_H
+#pragma once
 
 #ifndef __OPENCL_C_VERSION__
 #include <cstdint>
@@ -17,6 +16,4 @@ using uint = std::uint32_t;
 #else
 #define PENCIL_SHARED_BEGIN
 #define PENCIL_SHARED_END
-#endif
-
 #endif

@@ -1,6 +1,5 @@
 // Forms of the quadrature weights of pencils, the values of the define PENCIL_WEIGHTS.
-#ifndef PENCIL_SHARED_WEIGHTS_H
-#define PENCIL_SHARED_WEIGHTS_H
+#pragma once
 
 #define PENCIL_WEIGHTS_DPDF 0      // directional pencil density, thesis eq. (5.32), self-normalised
 #define PENCIL_WEIGHTS_VORONOI 1   // cosine-weighted solid angles of the Voronoi cells of directions
@@ -9,5 +8,3 @@
 
 // Voronoi cells are sampled by tiles of so many directions.
 #define PENCIL_CELL_TILE 16
-
-#endif

@@ -56,7 +56,7 @@ std::string count_differences(const std::vector<T>& got, const std::vector<T>& e
 }  // namespace
 
 const Sizes& sizes() { return current; }
-void use_tiny_sizes() { current = {16, 32, 20, 8, 6, 48, 4, 3}; }
+void use_tiny_sizes() { current = {16, 32, 20, 8, 6, 48, 4, 3, 60}; }
 
 const std::shared_ptr<Device>& device() {
     static const std::shared_ptr<Device> opened = Device::open(selected);

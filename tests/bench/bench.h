@@ -19,6 +19,7 @@ struct Sizes {
     int tiles = 64;  // of the next set, whose texels are the surfels of pencil transport
     int film = 512, film_samples = 16;
     int most_maps = 328;  // of visibility_paths
+    int world = 800;      // surface pencils of the world set, about
 };
 const Sizes& sizes();
 void use_tiny_sizes();

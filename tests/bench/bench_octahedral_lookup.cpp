@@ -32,9 +32,7 @@ void lookup(benchmark::State& state) {
         [&] {
             const Kernels& kernels = bench.kernels;
             bench.kernels.cache()
-                .kernel("octahedral_lookup",
-                        {"shared/types.h", "shared/atlas.h", "lib/packet.cl", "lib/octahedral.cl", "lib/footprint.cl", kKernelFile},
-                        {{"PENCIL_BLOCK", std::to_string(kernels.block())}})
+                .kernel("octahedral_lookup", kKernelFile, {{"PENCIL_BLOCK", std::to_string(kernels.block())}})
                 .args(position[0], position[1], position[2], count, bench.set.maps->cops, tiles, maps.n, bench.set.radiance, sum)
                 .run(kernels.blocks(count), "octahedral look-up");
         },

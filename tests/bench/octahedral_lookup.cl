@@ -1,5 +1,9 @@
 // The octahedral look-up alone: direction, footprint, bilinear texel. Written as project_pencils does it, without visibility and weights.
 
+#include "lib/footprint.cl"
+#include "lib/octahedral.cl"
+#include "lib/packet.cl"
+
 /// launch : 1-D, one work-item per block of PENCIL_BLOCK packets of PENCIL_WIDTH points
 /// in     : x, y, z [count]; cops[tile_count]; radiance: tiles of n x n
 /// out    : sum[count]: sum over the tiles of the texel in direction x - cop

@@ -36,7 +36,7 @@ public:
     Child& operator=(const Child&) = delete;
 
     void send(int signal);
-    /// Reads until stderr contains `text`; false if it ends or 120 s pass first.
+    /// Reads until stderr contains `text`; false if it ends first. How long that may take is the test runner's to say.
     bool wait_for_error_text(const std::string& text);
     RunResult wait();
 

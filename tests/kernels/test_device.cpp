@@ -124,7 +124,7 @@ TEST(Device, LaunchTimesCountEveryLaunch) {
     Buffer<int> counts(device, 100, "counts");
     counts.fill_zero();
     for (int i = 0; i < 1000; ++i)
-        programs.kernel("count_visits", {test_kernels}).args(counts, 100).run(100, i % 4 == 0 ? "fourth" : "other");
+        programs.kernel("count_visits", test_kernels).args(counts, 100).run(100, i % 4 == 0 ? "fourth" : "other");
     const auto times = device->launch_times();
     ASSERT_EQ(times.size(), 2u);
     EXPECT_EQ(times.at("fourth").launches, 250);

@@ -20,7 +20,7 @@ Floor bumpy_floor(int pencils, int surfels, std::uint32_t seed) {
     Floor f{{}, MadeSurfels(surfels)};
     for (int p = 0; p < pencils; ++p) f.pencils.push_back(surface.pencil(surface.point(), surface.random.uniform(0.05, 0.4)));
     for (int i = 0; i < surfels; ++i)
-        if (i % 11 != 10) f.surfels.place(i, surface.point(), surface.normal(), i % 5, surface.random.in_box(0, 1));
+        f.surfels.place(i, surface.point(), surface.normal(), i % 11 == 10 ? -1 : i % 5, surface.random.in_box(0, 1));
     return f;
 }
 

@@ -1,4 +1,5 @@
 // kernels/lib/{paraboloid,cube,pyramid,superquadric}.cl against their double-precision references, through test-only kernels.
+#include "cl/kernel_source.h"
 #include "kernels/kernel_test.h"
 #include "reference/all_maps.h"
 #include "reference/tolerances.h"
@@ -38,15 +39,11 @@ class Maps : public testing::TestWithParam<ref::NamedMap> {
 protected:
     Launch kernel(const char* name) {
         const ref::NamedMap& named = GetParam();
-        std::string source;
-        for (const std::string file :
-             {"shared/types.h", "shared/atlas.h", "lib/packet.cl", "lib/octahedral.cl", "lib/footprint.cl", "lib/map_tiles.cl"})
-            source += kernel_source(file) + "\n";
-        source += kernel_source("lib/" + named.prefix + ".cl") + "\n";
+        const std::string source = resolve_includes("#include \"lib/" + named.prefix + ".cl\"\n" + test_kernels, "test_maps");
         std::string options = "-cl-std=CL1.2 -DPENCIL_WIDTH=" + std::to_string(device()->packet_width()) + " -DPENCIL_MAP=" + named.prefix;
         if (!named.exponent.empty())
             options += " -DPENCIL_SUPERQUADRIC_EXPONENT=" + named.exponent + " -DPENCIL_SUPERQUADRIC_CONE=" + (named.cone ? "1" : "0");
-        cl::Program program(device()->context(), source + test_kernels);
+        cl::Program program(device()->context(), source);
         program.build({device()->cl_device()}, options.c_str());
         return Launch(device(), cl::Kernel(program, name), name);
     }

@@ -1,4 +1,5 @@
 // kernels/lib/octahedral.cl and footprint.cl against the double-precision map, through test-only kernels.
+#include "cl/kernel_source.h"
 #include "kernels/kernel_test.h"
 #include "reference/tolerances.h"
 
@@ -8,6 +9,9 @@ using namespace pencil;
 using namespace pencil::test;
 
 const char* const test_kernels = R"CL(
+#include "lib/footprint.cl"
+#include "lib/octahedral.cl"
+#include "lib/packet.cl"
 kernel void texels(int n, int count, global float4 *direction, global int2 *antipode, global int2 *folded) {
     int i = get_global_id(0), stride = n + 2;
     if (i >= count) return;
@@ -31,11 +35,7 @@ struct Int2 {
 };
 
 Launch test_kernel(const char* name) {
-    std::string source;
-    for (const char* file : {"shared/types.h", "shared/atlas.h", "lib/packet.cl", "lib/octahedral.cl", "lib/footprint.cl"}) {
-        source += kernel_source(file) + "\n";
-    }
-    cl::Program program(device()->context(), source + test_kernels);
+    cl::Program program(device()->context(), resolve_includes(test_kernels, "test_octahedral"));
     const std::string options = "-cl-std=CL1.2 -DPENCIL_WIDTH=" + std::to_string(device()->packet_width());
     program.build({device()->cl_device()}, options.c_str());
     return Launch(device(), cl::Kernel(program, name), name);

@@ -1,6 +1,7 @@
 // The arithmetic of kernels/lib/packet.cl, through a test-only kernel. What else packets do is in the self-test (test_layout.cpp).
 #include <cmath>
 
+#include "cl/kernel_source.h"
 #include "kernels/kernel_test.h"
 
 namespace {
@@ -9,6 +10,7 @@ using namespace pencil;
 using namespace pencil::test;
 
 const char* const test_kernels = R"CL(
+#include "lib/packet.cl"
 kernel void roots(global const float *in, int packets, global float *out) {
     int i = get_global_id(0) * PENCIL_WIDTH;
     if (get_global_id(0) < packets) PACKET_STORE(packet_rsqrt(PACKET_LOAD(in + i)), out + i);
@@ -26,7 +28,7 @@ TEST_P(Packet, ReciprocalRootIsGoodToFourUnitsInTheLastPlace) {
         for (int i = 0; i < mantissas; ++i) values.push_back(static_cast<float>(std::ldexp(1.0 + random.uniform(), exponent)));
     const Buffer<float> in(device(), values, "values");
     Buffer<float> out(device(), values.size(), "roots");
-    cl::Program program(device()->context(), kernel_source("shared/types.h") + "\n" + kernel_source("lib/packet.cl") + "\n" + test_kernels);
+    cl::Program program(device()->context(), resolve_includes(test_kernels, "test_packet"));
     const std::string options = "-cl-std=CL1.2 -DPENCIL_WIDTH=" + std::to_string(width);
     program.build({device()->cl_device()}, options.c_str());
     const int packets = static_cast<int>(values.size()) / width;

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "cl/embedded_kernels.h"
+#include "cl/kernel_source.h"
 #include "cl/program.h"
 #include "util/error.h"
 
@@ -17,7 +18,7 @@ constexpr const char* test_kernels = PENCIL_SOURCE_DIR "/tests/kernels/test_prog
 
 class Program : public testing::Test {
 protected:
-    Launch kernel(const std::string& name, const Defines& defines = {}) { return programs.kernel(name, {test_kernels}, defines); }
+    Launch kernel(const std::string& name, const Defines& defines = {}) { return programs.kernel(name, test_kernels, defines); }
 
     std::string error_of(const std::function<void()>& f) {
         try {
@@ -131,13 +132,13 @@ TEST_F(Program, WrongArgumentsNameTheKernel) {
 
 TEST_F(Program, UnknownNamesAreReported) {
     expect_contains(error_of([&] { kernel("no_such_kernel"); }), "no kernel named no_such_kernel in");
-    expect_contains(error_of([&] { programs.kernel("x", {"lib/no_such_file.cl"}); }), "no kernel file named lib/no_such_file.cl");
-    expect_contains(error_of([&] { programs.kernel("x", {"/no/such/file.cl"}); }), "cannot read the kernel file /no/such/file.cl");
+    expect_contains(error_of([&] { programs.kernel("x", "lib/no_such_file.cl"); }), "no kernel file named lib/no_such_file.cl");
+    expect_contains(error_of([&] { programs.kernel("x", "/no/such/file.cl"); }), "cannot read the kernel file /no/such/file.cl");
 }
 
 TEST_F(Program, BuildFailureTellsFileLineDeviceAndOptions) {
     const std::string file = write_file("broken.cl", "kernel void broken(global int *out)\n{\n    out[0] = no_such_variable;\n}\n");
-    const std::string message = error_of([&] { programs.kernel("broken", {test_kernels, file}, {{"TEST_STEP", "3"}}); });
+    const std::string message = error_of([&] { programs.kernel("broken", file, {{"TEST_STEP", "3"}}); });
     expect_contains(message, "broken.cl failed");
     expect_contains(message, device->info().name);
     expect_contains(message, "-cl-std=CL1.2 -Werror");
@@ -148,9 +149,9 @@ TEST_F(Program, BuildFailureTellsFileLineDeviceAndOptions) {
 
 TEST_F(Program, WarningsAndForgottenDefinesDoNotBuild) {
     const std::string warning = write_file("warning.cl", "#warning look\nkernel void k(global int *out) { out[0] = 1; }\n");
-    expect_contains(error_of([&] { programs.kernel("k", {warning}); }), "look");
+    expect_contains(error_of([&] { programs.kernel("k", warning); }), "look");
     const std::string forgotten = write_file("forgotten.cl", "kernel void k(global int *out) { if (PENCIL_FORGOTTEN) out[0] = 1; }\n");
-    expect_contains(error_of([&] { programs.kernel("k", {forgotten}); }), "PENCIL_FORGOTTEN");
+    expect_contains(error_of([&] { programs.kernel("k", forgotten); }), "PENCIL_FORGOTTEN");
     expect_contains(error_of([&] { kernel("scale", {{"TEST_STEP", "1 -w"}}); }), "holds a blank or quote");
 }
 
@@ -158,7 +159,7 @@ TEST_F(Program, KernelFolderOverridesEmbeddedFiles) {
     write_file("self_test.cl", "kernel void self_test_layout(global int *out) { out[0] = 42; }\n");
     setenv("PENCIL_KERNEL_DIR", folder.c_str(), 1);
     Buffer<int> out(device, 1, "out");
-    programs.kernel("self_test_layout", {"self_test.cl"}).args(out).run(1, "edited kernel");
+    programs.kernel("self_test_layout", "self_test.cl").args(out).run(1, "edited kernel");
     EXPECT_EQ(out.read().at(0), 42);
     expect_contains(error_of([&] { kernel_source("missing.cl"); }), "missing.cl");
 }
@@ -172,14 +173,45 @@ TEST_F(Program, DumpedSourceBuildsByItself) {
     ASSERT_EQ(dumps.size(), 1u);
     Buffer<int> counts(device, 3, "counts");
     counts.fill_zero();
-    programs.kernel("count_visits", {dumps[0].string()}).args(counts, 3).run(3, "dumped kernel");
+    programs.kernel("count_visits", dumps[0].string()).args(counts, 3).run(3, "dumped kernel");
     EXPECT_EQ(counts.read(), std::vector<int>(3, 5));
 }
 
-TEST_F(Program, EmbeddedFilesCarryTheirNames) {
+TEST_F(Program, IncludesAreTakenOnceAndKeepTheirLines) {
+    write_file("leaf.h", "#pragma once\n#define LEAF 7\n");
+    write_file("branch.cl", "// a comment\n#include \"leaf.h\"\nstatic inline int branch(void) { return LEAF; }\n#include \"trunk.cl\"\n");
+    write_file("trunk.cl",
+               "#include \"branch.cl\"\n#include \"leaf.h\"\n\nkernel void trunk(global int *out) { out[0] = branch() + __LINE__; }\n");
+    setenv("PENCIL_KERNEL_DIR", folder.c_str(), 1);
+    Buffer<int> out(device, 1, "out");
+    programs.kernel("trunk", "trunk.cl").args(out).run(1, "included");
+    EXPECT_EQ(out.read().at(0), 7 + 4);
+    const std::string source = program_source("trunk.cl");
+    EXPECT_EQ(source.find("LEAF 7"), source.rfind("LEAF 7"));
+    EXPECT_EQ(source.find("#include"), std::string::npos);
+}
+
+TEST_F(Program, IncludesThatCannotBeResolvedNameFileAndLine) {
+    write_file("lost.cl", "\n\n#include \"nowhere.cl\"\n");
+    write_file("inner.cl", "#include \"leaf.h\"\n");
+    write_file("leaf.h", "#define LEAF 7\n");
+    write_file("hidden.cl", "#if 0\n#include \"inner.cl\"\n#endif\n");
+    write_file("first.cl",
+               "#include \"leaf.h\"\n#if 0\n#include \"inner.cl\"\n#endif\nkernel void k(global int *out) { out[0] = LEAF; }\n");
+    setenv("PENCIL_KERNEL_DIR", folder.c_str(), 1);
+    expect_contains(error_of([&] { program_source("lost.cl"); }), "lost.cl:3: cannot read the kernel file");
+    expect_contains(error_of([&] { program_source("hidden.cl"); }), "inner.cl:1: leaf.h must be included before the #if");
+    EXPECT_NE(program_source("first.cl").find("LEAF 7"), std::string::npos);
+}
+
+TEST_F(Program, EveryFileResolves) {
     ASSERT_FALSE(embedded_kernels().empty());
-    for (const auto& [name, text] : embedded_kernels()) EXPECT_EQ(std::string(text).rfind("#line 1 \"" + name + "\"\n", 0), 0u) << name;
-    EXPECT_EQ(kernel_source("shared/types.h"), embedded_kernels().at("shared/types.h"));
+    for (const auto& [name, text] : embedded_kernels()) {
+        EXPECT_EQ(program_source(name).rfind("#line 1 \"" + name + "\"\n", 0), 0u) << name;
+        EXPECT_EQ(program_source(name).find("#include"), std::string::npos) << name;
+    }
+    EXPECT_EQ(program_of("project_pencils"), "programs/line.cl");
+    EXPECT_EQ(program_of("self_test"), "self_test.cl");
 }
 
 }  // namespace

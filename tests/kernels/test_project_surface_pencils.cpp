@@ -32,7 +32,7 @@ std::vector<float> project(const std::vector<SurfacePencil>& pencils, const std:
 MadeSurfels made_surfels(BumpySurface& surface, int count) {
     MadeSurfels surfels(count);
     for (int i = 0; i < count; ++i)
-        if (i % 11 != 10) surfels.place(i, surface.point(), surface.normal(), i % 5, i % 7 == 6 ? dvec3(0) : surface.random.in_box(0, 1));
+        surfels.place(i, surface.point(), surface.normal(), i % 11 == 10 ? -1 : i % 5, i % 7 == 6 ? dvec3(0) : surface.random.in_box(0, 1));
     return surfels;
 }
 

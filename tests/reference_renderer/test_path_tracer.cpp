@@ -162,16 +162,12 @@ TEST(PathTracer, OneSidedAndTwoSided) {
     expect_uniform(layer(trace(lamp, 4).layers, ""), 1.0, 1e-6);
 }
 
-TEST(PathTracer, TimeBudgetIsKept) {
+TEST(PathTracer, ATimeBudgetTracesWholePasses) {
     ReferenceOptions options;
-    options.seconds = 0.4;
+    options.seconds = 1e-9;  // over before the first pass is: how much a longer one affords is SamplePlan's to say
     const ReferenceResult result = trace_paths(room(), options);
-    EXPECT_GE(result.spp, 16);
+    EXPECT_GE(result.spp, 1) << "never less than one path per pixel";
     EXPECT_EQ(result.paths, static_cast<std::uint64_t>(result.spp) * 20 * 14);
-    EXPECT_GT(result.trace_seconds, 0.2);
-    EXPECT_LT(result.trace_seconds, 2.0) << "with room for a busy machine";
-    options.seconds = 1e-6;
-    EXPECT_EQ(trace_paths(room(), options).spp, 1) << "never less than one path per pixel";
 }
 
 TEST(PathTracer, StopsWhenToldAndKeepsWhatIsDone) {

@@ -1,15 +1,27 @@
 // The experiment of thesis 6.3.1: every surfel looks up the maps of all pencils. Written once; PENCIL_MAP names the parameterisation, whose
-// functions begin with it. Needs packet.cl, octahedral.cl, footprint.cl, surfel_packet.cl and, except for `octahedral`, map_tiles.cl and
-// the map's own file.
+// functions begin with it.
+
+#include "lib/cube.cl"
+#include "lib/footprint.cl"
+#include "lib/map_tiles.cl"
+#include "lib/octahedral.cl"
+#include "lib/packet.cl"
+#include "lib/paraboloid.cl"
+#include "lib/pyramid.cl"
+#include "lib/surfel_packet.cl"
+#ifdef PENCIL_SUPERQUADRIC_EXPONENT
+#include "lib/superquadric.cl"
+#endif
+
 #define MAP_JOIN2(a, b) a##b
 #define MAP_JOIN(a, b) MAP_JOIN2(a, b)
 #define MAP(name) MAP_JOIN(PENCIL_MAP, name)
 
 /// The octahedral map under the name that the other maps' functions have.
-inline Footprint octahedral_footprint(vfloat vx, vfloat vy, vfloat vz, int n) { return packet_footprint(vx, vy, vz, n); }
+static inline Footprint octahedral_footprint(vfloat vx, vfloat vy, vfloat vz, int n) { return packet_footprint(vx, vy, vz, n); }
 
 /// Radiance (rgb) and distance (w) by bilinear interpolation.
-inline float4 fetch_bilinear(global const float4 *texels, int index, int stride, float fx, float fy) {
+static inline float4 fetch_bilinear(global const float4 *texels, int index, int stride, float fx, float fy) {
     global const float4 *t = texels + index;
     float4 upper = t[0] + fx * (t[1] - t[0]);
     float4 lower = t[stride] + fx * (t[stride + 1] - t[stride]);

@@ -18,10 +18,6 @@ constexpr double slack = 1.05;               // LOOK_UP_SLACK of look_up_maps.cl
 int tile_size(int texels, int tiles) { return static_cast<int>(std::lround(std::sqrt(static_cast<double>(texels) / tiles))); }
 
 Launch look_up_kernel(Kernels& kernels, const ref::NamedMap& map, bool fetch) {
-    std::vector<std::string> files = {"shared/types.h", "shared/atlas.h",    "shared/geometry.h", "shared/surfel.h",
-                                      "lib/packet.cl",  "lib/octahedral.cl", "lib/footprint.cl",  "lib/surfel_packet.cl"};
-    if (map.prefix != "octahedral") files.insert(files.end(), {"lib/map_tiles.cl", "lib/" + map.prefix + ".cl"});
-    files.emplace_back(PENCIL_SOURCE_DIR "/tests/thesis/look_up_maps.cl");
     Defines defines = to_defines(kernels.features(), kernels.block());
     defines["PENCIL_MAP"] = map.prefix;
     defines["LOOK_UP_FETCH"] = fetch ? "1" : "0";
@@ -29,7 +25,7 @@ Launch look_up_kernel(Kernels& kernels, const ref::NamedMap& map, bool fetch) {
         defines["PENCIL_SUPERQUADRIC_EXPONENT"] = map.exponent;
         defines["PENCIL_SUPERQUADRIC_CONE"] = map.cone ? "1" : "0";
     }
-    return kernels.cache().kernel("look_up_maps", files, defines);
+    return kernels.cache().kernel("look_up_maps", PENCIL_SOURCE_DIR "/tests/thesis/look_up_maps.cl", defines);
 }
 
 /// One map of all pencils in device memory.

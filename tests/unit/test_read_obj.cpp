@@ -5,24 +5,18 @@
 #include <cstring>
 
 #include "scene/meshes/read_obj.h"
+#include "unit/mesh_defect.h"
 #include "util/error.h"
 
 namespace pencil {
 namespace {
 
 std::string defect(const std::string& text) {
-    try {
-        read_obj(text, "m.obj");
-    } catch (const SceneError& error) {
-        return error.what();
-    }
-    return "";
+    return defect_of([](const std::string& content) { read_obj(content, "m.obj"); }, text);
 }
 
 void expect_defect(const std::string& text, const std::string& where, const std::string& part) {
-    const std::string message = defect(text);
-    EXPECT_EQ(message.rfind(where, 0), 0U) << message;
-    EXPECT_NE(message.find(part), std::string::npos) << message;
+    expect_message(defect(text), where, part);
 }
 
 const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";

@@ -5,24 +5,18 @@
 #include <cstring>
 
 #include "scene/meshes/read_ply.h"
+#include "unit/mesh_defect.h"
 #include "util/error.h"
 
 namespace pencil {
 namespace {
 
 std::string defect(const std::string& bytes) {
-    try {
-        read_ply(bytes, "m.ply");
-    } catch (const SceneError& error) {
-        return error.what();
-    }
-    return "";
+    return defect_of([](const std::string& content) { read_ply(content, "m.ply"); }, bytes);
 }
 
 void expect_defect(const std::string& bytes, const std::string& where, const std::string& part) {
-    const std::string message = defect(bytes);
-    EXPECT_EQ(message.rfind(where, 0), 0U) << message;
-    EXPECT_NE(message.find(part), std::string::npos) << message;
+    expect_message(defect(bytes), where, part);
 }
 
 template <class T>

@@ -1,10 +1,12 @@
 #include "line/placement/ray_candidates.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "line/placement/trace_probing_rays.h"
 #include "pencils/light_samples.h"
 #include "pencils/place_pencils.h"
-#include "line/placement/trace_probing_rays.h"
 
 namespace pencil {
 
@@ -81,7 +83,7 @@ std::vector<float4> RayCandidates::place(const CandidateQuery& query) {
 std::string RayCandidates::describe() const {
     if (in_box_ == 0) return rule_.name;
     if (in_box_ == placed_) return rule_.name + " (" + rule_.nothing + ": lds instead)";
-    return rule_.name + " (" + std::to_string(in_box_) + " of " + std::to_string(placed_) + " rays have no free segment: lds instead)";
+    return fmt::format("{} ({} of {} rays have no free segment: lds instead)", rule_.name, in_box_, placed_);
 }
 
 }  // namespace pencil

@@ -1,0 +1,8 @@
+// The film: every render. Kernels that are built together, since a program costs more than a kernel.
+
+#include "bound_film.cl"
+#include "rasterize_film.cl"
+#include "classify_film.cl"
+#include "film_surfels.cl"
+#include "emit_surfels.cl"
+#include "resolve_film.cl"

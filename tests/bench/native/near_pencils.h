@@ -1,0 +1,78 @@
+// The pencils near a point by the grid (kernels/lib/pencil_grid.cl): a vector of entries at a time.
+#pragma once
+
+#include "bench/native/surface_pencil.h"
+
+namespace pencil::native {
+
+struct NearPencils {
+    int index[4] = {-1, -1, -1, -1};
+    float weight[4] = {};
+};
+
+inline void insert(NearPencils& near, int index, float weight) {
+    for (int k = 0; k < 4; ++k)
+        if (weight > near.weight[k]) {
+            std::swap(weight, near.weight[k]);
+            std::swap(index, near.index[k]);
+        }
+}
+
+inline vfloat square_root(vfloat v) {
+#ifdef __AVX512F__
+    return _mm512_sqrt_ps(v);
+#else
+    vfloat out;
+    for (int l = 0; l < kLanes; ++l) out[l] = std::sqrt(v[l]);
+    return out;
+#endif
+}
+
+inline NearPencils near_pencils(const SurfacePencil* pencils, const GridView& grid, const Vec3& x, const Vec3& n) {
+    const PencilGrid& g = grid.grid;
+    const auto along = [](float from, float low, float scale, int size) {
+        return std::min(std::max(static_cast<int>((from - low) * scale), 0), size - 1);
+    };
+    const int cell = (along(x.z, g.low.z, g.low.w, g.size_z) * g.size_y + along(x.y, g.low.y, g.low.w, g.size_y)) * g.size_x +
+                     along(x.x, g.low.x, g.low.w, g.size_x);
+    NearPencils near;
+    float least = kInfinite;
+    int last = -1;
+    for (int e = grid.starts[cell]; e < grid.starts[cell + 1]; ++e) {
+        const float* block = grid.entries + static_cast<std::size_t>(e) * ENTRY_FIELDS * kLanes;
+        const auto field = [&](int f) { return load<vfloat>(block + f * kLanes); };
+        const vfloat sx = x.x - field(ENTRY_X), sy = x.y - field(ENTRY_Y), sz = x.z - field(ENTRY_Z), radius = field(ENTRY_RADIUS);
+        const vfloat nx = field(ENTRY_NX), ny = field(ENTRY_NY), nz = field(ENTRY_NZ);
+        const vfloat distance = square_root(sx * sx + sy * sy + sz * sz), cosine = nx * n.x + ny * n.y + nz * n.z;
+        const vfloat rise = sx * (nx + n.x) + sy * (ny + n.y) + sz * (nz + n.z);
+        const unsigned reached = lane_mask((distance < radius) & (cosine >= kLeastCosine));
+        if (reached == 0) continue;
+        const unsigned level = reached & lane_mask(absolute(rise) <= 2.0F * kMostSlope * distance + kNoStep);
+        const vfloat closeness = maximum((radius - distance) / (radius * radius), broadcast(0.0F)), weight = closeness * closeness * cosine;
+        const auto pencil_at = [&](int l) {
+            int index = 0;
+            std::memcpy(&index, block + ENTRY_PENCIL * kLanes + l, sizeof index);
+            return index;
+        };
+        for (unsigned rest = level; rest != 0; rest &= rest - 1) {
+            const int l = __builtin_ctz(rest), p = pencil_at(l);
+            if (clear_horizon(pencils[p], x - xyz(pencils[p].position))) insert(near, p, weight[l]);
+        }
+        for (unsigned rest = near.index[0] < 0 ? reached : 0U; rest != 0; rest &= rest - 1) {
+            const int l = __builtin_ctz(rest), p = pencil_at(l);
+            if (distance[l] >= least || !clear_horizon(pencils[p], x - xyz(pencils[p].position))) continue;
+            least = distance[l];
+            last = p;
+        }
+    }
+    const float sum = near.weight[0] + near.weight[1] + near.weight[2] + near.weight[3];
+    for (float& w : near.weight) w = sum > 0.0F ? w / sum : 0.0F;
+    if (sum == 0.0F && last >= 0) {
+        near.index[0] = last;
+        near.index[1] = LINK_LAST_RESORT;
+        near.weight[0] = 1.0F;
+    }
+    return near;
+}
+
+}  // namespace pencil::native

@@ -1,0 +1,72 @@
+#include "bench/native/parallel.h"
+#include "bench/native/surface.h"
+#include "bench/native/surface_pencil.h"
+
+namespace pencil::native {
+namespace {
+
+constexpr int kReach = 2;
+constexpr float kHold = 1e-3F;
+
+/// Sums of weights, of (s, u) and the irradiance, and of their products.
+struct Sums {
+    float w = 0, ws = 0, wu = 0, wss = 0, wsu = 0, wuu = 0;
+    float4v e{}, es{}, eu{};
+
+    void add(float weight, float s, float u, float4v irradiance) {
+        w += weight;
+        ws += weight * s;
+        wu += weight * u;
+        wss += weight * s * s;
+        wsu += weight * s * u;
+        wuu += weight * u * u;
+        e += weight * irradiance;
+        es += weight * s * irradiance;
+        eu += weight * u * irradiance;
+    }
+    void solve(float4* fit) const {
+        const float ms = ws / w, mu = wu / w;
+        float ss = wss - ms * ws, uu = wuu - mu * wu;
+        const float su = wsu - ms * wu, hold = kHold * (ss + uu) + 1e-12F;
+        ss += hold;
+        uu += hold;
+        const float determinant = ss * uu - su * su;
+        const float4v cs = es - ms * e, cu = eu - mu * e, t = (uu * cs - su * cu) / determinant, b = (ss * cu - su * cs) / determinant;
+        const float4v value = e / w - ms * t - mu * b, zero{};
+        store(value > zero ? value : zero, fit);
+        store(t, fit + 1);
+        store(b, fit + 2);
+    }
+};
+
+}  // namespace
+
+void smooth_irradiance(const LatticeView& film, const float4* irradiance, float most_error, float4* fits) {
+    parallel_blocks(film.width * film.height, 256, [&](int first, int last) {
+        for (int pixel = first; pixel < last; ++pixel) {
+            const int index = film.at[pixel];
+            if (index < 0) continue;
+            const SurfacePencil& own = film.pencils[index];
+            const Vec3 x = xyz(own.position), n = xyz(own.normal);
+            Vec3 t, b;
+            tangent_frame(n, t, b);
+            Sums sums;
+            for (int dy = -kReach; dy <= kReach; ++dy)
+                for (int dx = -kReach; dx <= kReach; ++dx) {
+                    const int px = pixel % film.width + own.spacing * dx, py = pixel / film.width + own.spacing * dy;
+                    if (px < 0 || py < 0 || px >= film.width || py >= film.height) continue;
+                    const int other = film.at[py * film.width + px];
+                    if (other < 0) continue;
+                    const SurfacePencil& p = film.pencils[other];
+                    const float distance = reuse_distance(p, x, n);
+                    if (distance == kInfinite) continue;
+                    const float error = reuse_error(p, distance, n) + reuse_error(own, distance, n);
+                    const Vec3 step = xyz(p.position) - x;
+                    sums.add(std::max(1.0F - error / (2.0F * most_error), 0.0F), dot(step, t), dot(step, b), load4(irradiance[other]));
+                }
+            sums.solve(fits + 3 * static_cast<std::size_t>(index));
+        }
+    });
+}
+
+}  // namespace pencil::native

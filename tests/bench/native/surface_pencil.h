@@ -1,0 +1,77 @@
+// What the native loops of the surface method share: frames, horizons, reuse (kernels/lib/surface_pencil.cl), scalar.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "bench/native/simd.h"
+#include "bench/native/surface.h"
+#include "shared/film.h"
+
+namespace pencil::native {
+
+struct Vec3 {
+    float x, y, z;
+};
+inline Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline Vec3 operator+(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline float dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Vec3 xyz(const float4& v) { return {v.x, v.y, v.z}; }
+inline Vec3 vector_at(const SurfelsView& surfels, int field, int i) {
+    return {surfels.field(field)[i], surfels.field(field + 1)[i], surfels.field(field + 2)[i]};
+}
+inline int int_at(const SurfelsView& surfels, int field, int i) {
+    int out = 0;
+    std::memcpy(&out, surfels.field(field) + i, sizeof out);
+    return out;
+}
+
+inline void tangent_frame(const Vec3& n, Vec3& t, Vec3& b) {
+    const float s = std::copysign(1.0F, n.z), k = -1.0F / (s + n.z), m = n.x * n.y * k;
+    t = {1.0F + s * n.x * n.x * k, s * m, -s * n.x};
+    b = {m, s + n.y * n.y * k, -n.y};
+}
+inline int ring_sector(float x, float y) { return (x < 0.0F ? 4 : 0) | (y < 0.0F ? 2 : 0) | (std::abs(x) < std::abs(y) ? 1 : 0); }
+
+/// Texel of entry i of a hemisphere.
+inline int texel_x(int i, int n) { return i / 16 % (n / 4) * 4 + i % 4; }
+inline int texel_y(int i, int n) { return i / 16 / (n / 4) * 4 + i % 16 / 4; }
+
+constexpr float kLeastCosine = 0.5F, kMostSlope = 0.4F, kNoStep = 1e-6F, kTurn = 0.5F;
+constexpr float kInfinite = std::numeric_limits<float>::infinity();
+
+inline bool clear_horizon(const SurfacePencil& p, const Vec3& step) {
+    Vec3 t, b;
+    tangent_frame(xyz(p.normal), t, b);
+    const float x = dot(step, t), y = dot(step, b);
+    const int sector = ring_sector(x, y), next = sector + RING_SECTORS;
+    return std::max(x * p.horizon_x[sector] + y * p.horizon_y[sector], x * p.horizon_x[next] + y * p.horizon_y[next]) < 1.0F;
+}
+
+/// Infinite where the pencil may not be used.
+inline float reuse_distance(const SurfacePencil& p, const Vec3& x, const Vec3& n) {
+    const Vec3 step = x - xyz(p.position), normal = xyz(p.normal);
+    if (dot(normal, n) < kLeastCosine) return kInfinite;
+    const float distance = std::sqrt(dot(step, step));
+    if (distance < kNoStep) return 0.0F;
+    if (std::abs(dot(step, normal + n)) > 2.0F * kMostSlope * distance) return kInfinite;
+    return clear_horizon(p, step) ? distance : kInfinite;
+}
+inline float reuse_error(const SurfacePencil& p, float distance, const Vec3& n) {
+    return distance / p.position.w + kTurn * std::sqrt(std::max(1.0F - dot(xyz(p.normal), n), 0.0F));
+}
+
+/// visit(pencil, corner pixel's x and y, spacing) for the pencils at the lattice points about pixel (x, y).
+template <typename Visit>
+inline void visit_corners(const LatticeView& film, int x, int y, const Visit& visit) {
+    for (int spacing = film.coarsest; spacing >= film.finest; spacing /= 2)
+        for (int corner = 0; corner < 4; ++corner) {
+            const int cx = std::min((x / spacing + (corner & 1)) * spacing, film.width - 1);
+            const int cy = std::min((y / spacing + (corner >> 1)) * spacing, film.height - 1);
+            if (spacing < film.coarsest && ((cx | cy) & (2 * spacing - 1)) == 0) continue;
+            const int pencil = film.at[cy * film.width + cx];
+            if (pencil >= 0) visit(pencil, cx, cy, spacing);
+        }
+}
+
+}  // namespace pencil::native
