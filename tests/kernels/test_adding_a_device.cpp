@@ -20,7 +20,7 @@ TEST(AddingADevice, EveryDeviceIsFoundTestedAndComputes) {
             EXPECT_TRUE(result.passed) << info.name << ", " << result.name << ": " << result.detail;
 
         Buffer<float> values(device, std::vector<float>{1.0F, 2.0F, 3.0F}, "values");
-        programs.kernel("scale", {test_kernels}).args(values, 3, 2.0F).run(3, "scaling");
+        programs.kernel("scale", test_kernels).args(values, 3, 2.0F).run(3, "scaling");
         EXPECT_EQ(values.read(), (std::vector<float>{2.0F, 4.0F, 6.0F})) << info.name;
     }
 }
