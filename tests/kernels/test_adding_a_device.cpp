@@ -11,7 +11,9 @@ using namespace pencil;
 constexpr const char* test_kernels = PENCIL_SOURCE_DIR "/tests/kernels/test_program.cl";
 
 TEST(AddingADevice, EveryDeviceIsFoundTestedAndComputes) {
-    for (const DeviceInfo& info : list_devices()) {
+    const std::vector<DeviceInfo> devices = list_devices();
+    ASSERT_FALSE(devices.empty()) << no_device_advice();
+    for (const DeviceInfo& info : devices) {
         const std::shared_ptr<Device> device = Device::open(std::to_string(info.index));
         EXPECT_EQ(device->info().name, info.name);
 
