@@ -21,7 +21,7 @@ kernel void cover_film(global const float *surfels, int capacity, global const u
         SurfacePoint point = surface_point(surfels, capacity, i);
         float least = INFINITY;
         for (int spacing = coarsest; spacing >= finest && least > most_error; spacing /= 2)
-            for (int corner = 0; corner < 4; ++corner) {
+            for (int corner = 0; corner < LATTICE_CORNERS; ++corner) {
                 int pencil = lattice_pencil(pencil_at, at, spacing, coarsest, corner, width, height);
                 if (pencil < 0) continue;
                 float distance = reuse_distance(pencils + pencil, point.x, point.n, INFINITY);

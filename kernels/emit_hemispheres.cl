@@ -1,7 +1,7 @@
 // Emission that surface pencils see. Light samples weigh 1/r^2 by r^2 / (r^2 + A/pi) (light_sample.cl); what that leaves out, near an
 // emitter, is seen here: the two shares of every emitter's light add up to all of it, and neither is unbounded.
 
-#include "shared/geometry.h"
+#include "shared/material.h"
 #include "shared/surface_pencil.h"
 #include "shared/surfel.h"
 

@@ -1,6 +1,6 @@
 // Emitted radiance of surfels: the initial gather of L_e (thesis 6.1.3), or the emission layer of the film.
 
-#include "shared/geometry.h"
+#include "shared/material.h"
 #include "shared/surfel.h"
 
 /// launch : 1-D, one work-item per surfel

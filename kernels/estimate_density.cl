@@ -3,13 +3,19 @@
 #include "lib/octahedral.cl"
 #include "lib/packet.cl"
 #include "lib/surfel_packet.cl"
+#include "shared/types.h"
 
 /// Exponents run from 2^0 to 2^MAX_DOUBLINGS.
 #define MAX_DOUBLINGS 9
 
-/// log2 of the exponent beta for a surfel that sees n_v pencils. DEVIATION: the thesis sets beta by hand; here beta = 5 n_v^(1/3), the
-/// bandwidth law of spherical kernel estimates with the constant measured for this estimator, rounded to a power of two.
-static inline int density_doublings(int visible) { return clamp((int)rint(log2(5.0f * cbrt((float)max(visible, 1)))), 0, MAX_DOUBLINGS); }
+/// Exponent for one pencil seen: measured for this estimator.
+#define DENSITY_EXPONENT 5.0f
+
+/// log2 of the exponent beta for a surfel that sees n_v pencils. DEVIATION: the thesis sets beta by hand; here it is
+/// DENSITY_EXPONENT n_v^(1/3), the bandwidth law of spherical kernel estimates, rounded to a power of two.
+static inline int density_doublings(int visible) {
+    return clamp((int)rint(log2(DENSITY_EXPONENT * cbrt((float)max(visible, 1)))), 0, MAX_DOUBLINGS);
+}
 
 /// launch : 1-D, one work-item per packet of PENCIL_WIDTH surfels of tiles first_tile .. (surfel order of gather_surfels, a packet lies
 ///          in one tile)
@@ -21,7 +27,7 @@ kernel void estimate_density(global const float *surfels, int capacity, int surf
     if (first >= surfel_count) return;
     SurfelPacket s = load_surfels(surfels, capacity, first);
     int tile = first_tile + first / (n * n);
-    int words = (pencil_count + 31) / 32;
+    int words = (pencil_count + WORD_BITS - 1) / WORD_BITS;
     int seen[PENCIL_WIDTH], doublings[PENCIL_WIDTH];
     for (int l = 0; l < PENCIL_WIDTH; ++l) seen[l] = 0;
     for (int word = 0; word < words; ++word)
@@ -41,8 +47,8 @@ kernel void estimate_density(global const float *surfels, int capacity, int surf
     vfloat density = 0.0f;
     for (int word = 0; word < words; ++word) {
         vuint bits = PACKET_LOAD(mask + (size_t)word * capacity + first);
-        for (int i = 32 * word; i < min(32 * word + 32, pencil_count); ++i) {
-            vint visible = PACKET_MASK(((bits >> (uint)(i % 32)) & 1u) != 0u);
+        for (int i = WORD_BITS * word; i < min(WORD_BITS * word + WORD_BITS, pencil_count); ++i) {
+            vint visible = PACKET_MASK(((bits >> (uint)(i % WORD_BITS)) & 1u) != 0u);
             if (i == tile || !PACKET_ANY(visible)) continue;
             float4 cop = cops[i];
             vfloat vx = cop.x - s.x, vy = cop.y - s.y, vz = cop.z - s.z;

@@ -4,6 +4,7 @@
 #include "shared/camera.h"
 #include "shared/film.h"
 #include "shared/geometry.h"
+#include "shared/material.h"
 
 /// launch : 1-D, one work-item per pixel of a strip of rows
 /// in     : hits, slots, counts of the strip; first_surfel[pixel] of the whole film

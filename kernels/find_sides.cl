@@ -3,6 +3,8 @@
 #include "lib/octahedral.cl"
 #include "lib/triangle.cl"
 #include "shared/geometry.h"
+#include "shared/material.h"
+#include "shared/types.h"
 
 /// launch : 1-D, one work-item per tile
 /// in     : hits of tile_count tiles of n x n, cops; triangles, planes, materials
@@ -22,6 +24,6 @@ kernel void find_sides(global const Hit *hits, global const float4 *cops, int ti
         bool back = plane_ahead(planes[t->plane], cop) > 0.0f;
         if (back && materials[t->material].albedo.w == 0.0f) continue;
         int side = 2 * t->shape + (back ? 1 : 0);
-        row[side / 32] |= 1u << (side % 32);
+        row[side / WORD_BITS] |= 1u << (side % WORD_BITS);
     }
 }

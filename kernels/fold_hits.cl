@@ -18,14 +18,14 @@ static inline bool plane_hides(const int *shown, const float4 *planes, const flo
 }
 
 /// The first triangle of each group of mates that a footprint and the texels next to it show, ascending, with GROUP_INNER where the
-/// footprint itself shows one of them; -1 in the places left; CELL_MIXED in x if there are more than four groups.
+/// footprint itself shows one of them; -1 in the places left; CELL_MIXED in x if there are more than MOST_GROUPS.
 static inline int4 groups_around(int tile, int2 texel, int n, global const Hit *hits, global const Triangle *triangles) {
-    int group[4] = {-1, -1, -1, -1}, low[4] = {-1, -1, -1, -1}, high[4] = {-1, -1, -1, -1};
+    int group[MOST_GROUPS] = {-1, -1, -1, -1}, low[MOST_GROUPS] = {-1, -1, -1, -1}, high[MOST_GROUPS] = {-1, -1, -1, -1};
     int count = 0;
-    for (int k = 0; k < 16; ++k) {
-        int triangle = hits[oct_atlas_index(tile, oct_fold_texel(texel + (int2)(k % 4, k / 4) - 1, n), n)].triangle;
+    for (int k = 0; k < AROUND_TEXELS; ++k) {
+        int triangle = hits[oct_atlas_index(tile, oct_texel_around(texel, k, n), n)].triangle;
         if (triangle < 0) continue;
-        int inner = k == 5 || k == 6 || k == 9 || k == 10 ? GROUP_INNER : 0;
+        int inner = texel_is_inner(k) ? GROUP_INNER : 0;
         bool known = false;
         for (int g = 0; g < count; ++g)
             if (triangle >= low[g] && triangle <= high[g]) {
@@ -33,9 +33,9 @@ static inline int4 groups_around(int tile, int2 texel, int n, global const Hit *
                 known = true;
             }
         if (known) continue;
-        if (count == 4) return (int4)(CELL_MIXED);
-        low[count] = triangle - (triangles[triangle].mates & 0xff);
-        high[count] = triangle + (triangles[triangle].mates >> 8);
+        if (count == MOST_GROUPS) return (int4)(CELL_MIXED);
+        low[count] = triangle - MATES_BEFORE(triangles[triangle].mates);
+        high[count] = triangle + MATES_AFTER(triangles[triangle].mates);
         group[count] = low[count] | inner;
         for (int g = count++; g > 0 && low[g] < low[g - 1]; --g) {
             int4 swap = (int4)(group[g], low[g], high[g], 0);
@@ -106,7 +106,7 @@ kernel void fold_hits(global const Triangle *triangles, global const float4 *pla
         return;
     }
     int4 around = groups_around(tile, texel, n, hits, triangles);
-    int near[4];
+    int near[MOST_GROUPS];
     vstore4(around, 0, near);
     if (others > 0) {
         cell = (int2)(CELL_MIXED);
@@ -115,7 +115,7 @@ kernel void fold_hits(global const Triangle *triangles, global const float4 *pla
         bool hides_b = plane_hides(shown, plane, directions, b, a, cop);
         if (hides_a || hides_b) cell.y = CELL_PAIR(shown[b]);
         // Where two walls meet, a third next to them may reach in between the texels: the tip of a sheet that stands in their corner.
-        for (int g = 0; g < 4 && hides_a && hides_b; ++g) {
+        for (int g = 0; g < MOST_GROUPS && hides_a && hides_b; ++g) {
             int third = near[g] < 0 ? -1 : triangles[near[g] & ~GROUP_INNER].plane;
             bool other = third >= 0 && third != shown[a] && third != shown[b];
             if (around.x == CELL_MIXED || (other && reaches_between(planes[third], plane[a], plane[b], directions, cop)))

@@ -3,6 +3,7 @@
 #include "lib/octahedral.cl"
 #include "lib/surfel.cl"
 #include "shared/geometry.h"
+#include "shared/material.h"
 
 /// launch : 1-D, one work-item per texel of `tile_count` tiles; surfels of a tile in the order of oct_surfel_texel
 /// in     : hits, cops, scene

@@ -1,5 +1,6 @@
 // Local projection R and scattering K: the irradiance of the surface pencils near each surfel, reflected.
 
+#include "lib/brdf.cl"
 #include "lib/pencil_grid.cl"
 #include "shared/surface_pencil.h"
 #include "shared/surfel.h"
@@ -20,7 +21,7 @@ kernel void project_surface_pencils(global const float *surfels, int capacity, i
            n = (float3)(s[SURFEL_NX * c], s[SURFEL_NY * c], s[SURFEL_NZ * c]);
     float3 albedo = (float3)(s[SURFEL_ALBEDO_R * c], s[SURFEL_ALBEDO_G * c], s[SURFEL_ALBEDO_B * c]);
     if (!any(albedo > 0.0f)) return;
-    float3 radiance = linked_irradiance(irradiance, nearest_pencils(pencils, grid, starts, entries, x, n)) * albedo * M_1_PI_F;
+    float3 radiance = brdf_reflect(albedo, linked_irradiance(irradiance, nearest_pencils(pencils, grid, starts, entries, x, n)));
     outgoing[i] += radiance.x;
     outgoing[c + i] += radiance.y;
     outgoing[2 * c + i] += radiance.z;

@@ -52,7 +52,7 @@ kernel void rasterize_clusters(global const Triangle *triangles, int triangle_co
                                global const Cluster *clusters, int cluster_count, global const int *members, global const float4 *cops,
                                int first_tile, int tile_count, int n, global Hit *hits) {
     int item = get_global_id(0);
-    if (item >= 8 * tile_count) return;
+    if (item >= OCTANTS * tile_count) return;
     Octant octant = clear_octant_of(item, cops, first_tile, n, hits);
     global const Cluster *groups = clusters + cluster_count;
     for (int g = 0; g * CLUSTER_GROUP < cluster_count; ++g) {

@@ -11,7 +11,7 @@
 kernel void rasterize_octahedral(global const Triangle *triangles, int triangle_count, global const float4 *planes,
                                  global const float4 *cops, int first_tile, int tile_count, int n, global Hit *hits) {
     int item = get_global_id(0);
-    if (item >= 8 * tile_count) return;
+    if (item >= OCTANTS * tile_count) return;
     Octant octant = clear_octant_of(item, cops, first_tile, n, hits);
     for (int i = 0; i < triangle_count; ++i) draw_triangle(&octant, triangles, planes, i);
 }

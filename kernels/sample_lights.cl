@@ -11,6 +11,9 @@
 #include "shared/geometry.h"
 #include "shared/light.h"
 
+/// Samples come in groups: a point of a triangle and its two rotations among the corners (pencils/light_samples.cpp).
+#define LIGHT_GROUP 3
+
 /// What sample i would send to a packet: the sum over its surfels.
 static inline float sample_importance(const SurfelPacket *s, global const LightSample *sample) {
     float4 cop = sample->position, e = sample->emission;
@@ -18,9 +21,8 @@ static inline float sample_importance(const SurfelPacket *s, global const LightS
 }
 
 /// launch : 1-D, one work-item per packet of PENCIL_WIDTH surfels
-/// in     : surfels; samples[sample_count], of which packets consider every stride-th three (pencils/light_samples.cpp makes threes) from a
-///          random start; draws: samples that a packet takes, repetitions included
-/// in/out : outgoing[3][capacity] [W m^-2 sr^-1], an unbiased estimate of light_surfels' result is added
+/// in     : surfels; samples[sample_count], of which packets consider every stride-th group from a random start; draws: samples that a
+/// packet takes, repetitions included in/out : outgoing[3][capacity] [W m^-2 sr^-1], an unbiased estimate of light_surfels' result is added
 kernel void sample_lights(global const float *surfels, int capacity, int surfel_count, global const LightSample *samples, int sample_count,
                           global const Triangle *triangles, global const float4 *planes, global const BvhNode *nodes,
                           global const int *leaves, int stride, int draws, uint seed, global float *outgoing) {
@@ -29,16 +31,16 @@ kernel void sample_lights(global const float *surfels, int capacity, int surfel_
     VisibilityMap map = {0, 0, 0, triangles, planes, 0, nodes, leaves};
     SurfelPacket s = load_surfels(surfels, capacity, first);
     uint bits = hash_uint((uint)(first / PENCIL_WIDTH) ^ seed);
-    int start = 3 * (bits % (uint)stride), step = 3 * stride;
+    int start = LIGHT_GROUP * (bits % (uint)stride), step = LIGHT_GROUP * stride;
     float total = 0.0f;
-    for (int three = start; three < sample_count; three += step)
-        for (int i = three; i < min(three + 3, sample_count); ++i) total += sample_importance(&s, samples + i);
+    for (int group = start; group < sample_count; group += step)
+        for (int i = group; i < min(group + LIGHT_GROUP, sample_count); ++i) total += sample_importance(&s, samples + i);
     if (!(total > 0.0f)) return;
     // Systematic resampling: draws at equal steps of the running sum, from a random first.
-    float interval = total / draws, next = interval * (hash_uint(bits) >> 8) * 0x1.0p-24f, sum = 0.0f;
+    float interval = total / draws, next = interval * (hash_uint(bits) >> UNIT_SHIFT) * UNIT_STEP, sum = 0.0f;
     vfloat r = 0.0f, g = 0.0f, b = 0.0f;
-    for (int three = start; three < sample_count; three += step)
-        for (int i = three; i < min(three + 3, sample_count); ++i) {
+    for (int group = start; group < sample_count; group += step)
+        for (int i = group; i < min(group + LIGHT_GROUP, sample_count); ++i) {
             float importance = sample_importance(&s, samples + i);
             sum += importance;
             int drawn = 0;

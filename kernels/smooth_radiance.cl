@@ -3,9 +3,12 @@
 #include "lib/octahedral.cl"
 #include "shared/atlas.h"
 
+/// Sum of the weights (1 2 1)^2.
+#define BINOMIAL_SUM 16.0f
+
 /// launch : 1-D, one work-item per texel of `tile_count` tiles, gutters included
 /// in     : sharp, atlas layout, interior texels of tiles 0 .. tile_count
-/// out    : radiance, atlas layout, tiles first_tile ..: rgb is the binomial mean (1 2 1)^2 / 16 of the sharp texels around; w is kept
+/// out    : radiance, atlas layout, tiles first_tile ..: rgb is the binomial mean (1 2 1)^2 of the sharp texels around; w is kept
 /// DEVIATION: the thesis looks up what was rendered. A texel is one sample of its surface, so edges in the map are staircases; the mean
 /// turns them into ramps of the width that bilinear look-ups resolve anyway.
 kernel void smooth_radiance(global const float4 *sharp, int first_tile, int tile_count, int n, global float4 *radiance) {
@@ -23,5 +26,5 @@ kernel void smooth_radiance(global const float4 *sharp, int first_tile, int tile
             int from = inside ? at + dy * stride + dx : oct_atlas_index(tile, oct_fold_texel(centre + (int2)(dx, dy), n), n);
             sum += (float)((2 - abs(dx)) * (2 - abs(dy))) * sharp[from].xyz;
         }
-    radiance[(size_t)first_tile * texels + item] = (float4)(sum / 16.0f, sharp[at].w);
+    radiance[(size_t)first_tile * texels + item] = (float4)(sum / BINOMIAL_SUM, sharp[at].w);
 }

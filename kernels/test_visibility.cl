@@ -5,6 +5,7 @@
 #include "lib/surfel_packet.cl"
 #include "lib/visibility.cl"
 #include "shared/geometry.h"
+#include "shared/types.h"
 
 /// Aims one packet at pencil i.
 static inline void aim_at_centre(const SurfelPacket *s, const VisibilityMap *map, float4 cop, int i, Aimed *aimed) {
@@ -15,7 +16,7 @@ static inline void aim_at_centre(const SurfelPacket *s, const VisibilityMap *map
 
 /// launch : 1-D, one work-item per block of PENCIL_BLOCK packets of PENCIL_WIDTH surfels
 /// in     : surfels; cops[pencil_count]; cells, groups, hits: tiles of n x n of those pencils, folded
-/// out    : mask[word][capacity]: bit i % 32 of word i / 32 is set if pencil i sees the surfel from the side that is shaded
+/// out    : mask[word][capacity]: bit i % WORD_BITS of word i / WORD_BITS is set if pencil i sees the surfel from the side that is shaded
 kernel void test_visibility(global const float *surfels, int capacity, int surfel_count, global const float4 *cops, int pencil_count,
                             global const int2 *cells, global const int4 *groups, global const Hit *hits, global const Triangle *triangles,
                             global const float4 *planes, int n, global uint *mask) {
@@ -25,14 +26,14 @@ kernel void test_visibility(global const float *surfels, int capacity, int surfe
     SurfelPacket packets[PENCIL_BLOCK];
     vint bits[PENCIL_BLOCK];
     for (int p = 0; p < PENCIL_BLOCK; ++p) packets[p] = load_surfels(surfels, capacity, first + p * PENCIL_WIDTH);
-    for (int word = 0; word * 32 < pencil_count; ++word) {
+    for (int word = 0; word * WORD_BITS < pencil_count; ++word) {
         for (int p = 0; p < PENCIL_BLOCK; ++p) bits[p] = 0;
-        for (int i = 32 * word; i < min(32 * word + 32, pencil_count); ++i) {
+        for (int i = WORD_BITS * word; i < min(WORD_BITS * word + WORD_BITS, pencil_count); ++i) {
             float4 cop = (float4)(cops[i].xyz, 0.0f);
             Aimed aimed[PENCIL_BLOCK];
             for (int p = 0; p < PENCIL_BLOCK; ++p) aim_at_centre(packets + p, &map, cop, i, aimed + p);
             for (int p = 0; p < PENCIL_BLOCK; ++p)
-                bits[p] |= PACKET_FROM_BITS(packet_visible(packets + p, &map, aimed + p, i, cop)) & (int)(1u << (i % 32));
+                bits[p] |= PACKET_FROM_BITS(packet_visible(packets + p, &map, aimed + p, i, cop)) & (int)(1u << (i % WORD_BITS));
         }
         for (int p = 0; p < PENCIL_BLOCK; ++p)
             PACKET_STORE(bits[p], (global int *)mask + (size_t)word * capacity + first + p * PENCIL_WIDTH);

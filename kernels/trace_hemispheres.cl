@@ -7,6 +7,7 @@
 #include "lib/surfel.cl"
 #include "shared/bvh.h"
 #include "shared/geometry.h"
+#include "shared/material.h"
 #include "shared/surface_pencil.h"
 
 /// launch : 1-D, one work-item per packet of PENCIL_WIDTH texels of pencils first_pencil .. ; n * n entries per pencil, in the order of

@@ -5,6 +5,7 @@
 #include "lib/surfel.cl"
 #include "shared/bvh.h"
 #include "shared/geometry.h"
+#include "shared/material.h"
 
 /// launch : 1-D, one work-item per ray; there are few of them, all from other origins, so each fills a packet with itself
 /// in     : origins[count], directions[count] (unit length), own[count]: the plane that each starts on, -1: none; the scene and its

@@ -1,5 +1,6 @@
 // One bounce between surface pencils: P = Q K R on a fixed set, in terms of irradiance.
 
+#include "lib/brdf.cl"
 #include "shared/surfel.h"
 
 /// launch : 1-D, one work-item per pencil
@@ -20,9 +21,9 @@ kernel void transport_irradiance(global const float *surfels, int capacity, glob
         if (link.z >= 0) e += f.z * source[link.z];
         if (link.w >= 0) e += f.w * source[link.w];
         global const float *s = surfels + i;
-        sum += e * (float4)(s[SURFEL_ALBEDO_R * c], s[SURFEL_ALBEDO_G * c], s[SURFEL_ALBEDO_B * c], 0.0f);
+        sum = brdf_add_radiosity(sum, (float4)(s[SURFEL_ALBEDO_R * c], s[SURFEL_ALBEDO_G * c], s[SURFEL_ALBEDO_B * c], 0.0f), e);
     }
-    // E' = pi / n^2 sum(albedo / pi E)
+    // E' = pi / n^2 sum(radiosity / pi)
     sum = sum / (float)(n * n) + target[pencil];
     target[pencil] = sum;
     total[pencil] += sum;

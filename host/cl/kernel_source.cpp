@@ -45,11 +45,17 @@ std::string shown(const std::string& file) {
     return path.is_absolute() ? path.filename().string() : file;
 }
 
+/// Kernels that only tests use include what lies beside them, too.
+std::string place_of(const std::string& name, const std::string& includer) {
+    const std::filesystem::path beside = std::filesystem::path(includer).parent_path() / name;
+    return beside.is_absolute() && std::filesystem::exists(beside) ? beside.string() : name;
+}
+
 class Resolver {
 public:
     /// Appends `text` with its includes; `conditional`: it stands between #if and #endif.
     void append(const std::string& text, const std::string& file, bool conditional) {
-        out_ += line_directive(1, file);
+        out_ += line_directive(1, shown(file));
         std::istringstream lines(text);
         std::string line;
         int number = 1, depth = 0;
@@ -58,8 +64,8 @@ public:
             if (begins_with(line, "#if")) ++depth;
             if (begins_with(line, "#endif")) --depth;
             if (const std::optional<std::string> name = included(line)) {
-                include(*name, file + ":" + std::to_string(number), conditional || depth > 0, conditional);
-                out_ += line_directive(number + 1, file);
+                include(place_of(*name, file), shown(file) + ":" + std::to_string(number), conditional || depth > 0, conditional);
+                out_ += line_directive(number + 1, shown(file));
             } else {
                 out_ += line + "\n";
             }
@@ -79,7 +85,7 @@ private:
         } catch (const DeviceError& error) {
             throw DeviceError(where + ": " + error.what());
         }
-        append(text, shown(name), conditional);
+        append(text, name, conditional);
     }
 
     std::set<std::string> taken_;
@@ -112,7 +118,7 @@ std::string kernel_source(const std::string& file) {
 
 std::string resolve_includes(const std::string& text, const std::string& file) {
     Resolver resolver;
-    resolver.append(text, shown(file), false);
+    resolver.append(text, file, false);
     return resolver.take();
 }
 

@@ -9,7 +9,8 @@ namespace pencil {
 /// from disk, which serves kernels that only tests use. DeviceError if there is none.
 std::string kernel_source(const std::string& file);
 
-/// The whole program that `text` begins: lines #include "lib/x.cl" are replaced by that file, each file once, depth first. #line directives
+/// The whole program that `text` begins: lines #include "lib/x.cl" are replaced by that file, each file once, depth first; a text on disk
+/// includes what lies beside it, too. #line directives
 /// keep the names and lines of files in the compiler's messages; `file` stands for the text in them. DeviceError naming file and line for
 /// includes that cannot be found, and for a file first included between #if and #endif that includes others: a false branch would hide them.
 std::string resolve_includes(const std::string& text, const std::string& file);

@@ -8,14 +8,14 @@
 #include <cstdio>
 #include <limits>
 
-// Order matters: these headers rely on the first one.
-// clang-format off
-#include "shared/types.h"
+#include "self_test_layout.h"
+#include "shared/bvh.h"
+#include "shared/camera.h"
+#include "shared/cluster.h"
 #include "shared/geometry.h"
 #include "shared/light.h"
-#include "shared/camera.h"
-// clang-format on
-#include "self_test_layout.h"
+#include "shared/material.h"
+#include "shared/surface_pencil.h"
 
 namespace pencil {
 namespace {

@@ -14,6 +14,7 @@ namespace pencil {
 struct Features {
     bool smooth = false;    // some triangle has vertex normals: interpolated shading normals
     int film_samples = 16;  // visibility samples per pixel
+    bool outgoing = false;  // some material reflects by where it is seen from: surfels carry that direction
     // What the method needs:
     int weights = PENCIL_WEIGHTS_DPDF;  // form of the quadrature weights (shared/weights.h)
     int cell_grid = 0;                  // root of the greatest number of directions that sample Voronoi cells, 0 for other weights

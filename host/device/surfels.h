@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "cl/buffer.h"
+#include "device/features.h"
 #include "shared/surfel.h"
 
 namespace pencil {
@@ -15,18 +16,22 @@ inline int surfel_capacity(int count) { return (count + surfel_multiple - 1) / s
 
 struct Surfels {
     Surfels() = default;
-    Surfels(const std::shared_ptr<Device>& device, int surfel_count, const std::string& what)
+    /// With the fields that these kernels write.
+    Surfels(const Kernels& kernels, int surfel_count, const std::string& what)
+        : Surfels(kernels.device(), surfel_count, what, SURFEL_FIELDS_WITH(kernels.features().outgoing)) {}
+    Surfels(const std::shared_ptr<Device>& device, int surfel_count, const std::string& what, int field_count = SURFEL_FIELDS)
         : capacity(surfel_capacity(surfel_count)),
           count(surfel_count),
-          data(device, static_cast<std::size_t>(capacity) * SURFEL_FIELDS, what) {
+          fields(field_count),
+          data(device, static_cast<std::size_t>(capacity) * static_cast<std::size_t>(fields), what) {
         data.fill_zero();
     }
 
     /// Makes room for `more` surfels behind the `count` present ones.
     void reserve(const std::shared_ptr<Device>& device, int more, const std::string& what) {
         if (count + more <= capacity) return;
-        Surfels larger(device, std::max(count + more, 2 * capacity), what);
-        for (int f = 0; f < SURFEL_FIELDS && count > 0; ++f)
+        Surfels larger(device, std::max(count + more, 2 * capacity), what, fields);
+        for (int f = 0; f < fields && count > 0; ++f)
             larger.data.copy_from(data, static_cast<std::size_t>(f) * static_cast<std::size_t>(capacity),
                                   static_cast<std::size_t>(f) * static_cast<std::size_t>(larger.capacity), static_cast<std::size_t>(count));
         larger.count = count;
@@ -35,6 +40,7 @@ struct Surfels {
 
     int capacity = 0;
     int count = 0;  // used now, at most capacity
+    int fields = SURFEL_FIELDS;
     Buffer<float> data;
 };
 

@@ -48,7 +48,7 @@ Film::Film(Kernels& kernels, const DeviceScene& scene, const Camera& camera, con
         rasterize_film(kernels, scene, camera_, offsets_, samples_, row, rows, hits_);
         classify(kernels, scene, row, rows);
     }
-    surfels_ = Surfels(device, number_surfels(device), "film surfels");
+    surfels_ = Surfels(kernels, number_surfels(device), "film surfels");
     for (int row = 0; row < camera_.height; row += strip_rows_) {
         const int rows = std::min(strip_rows_, camera_.height - row);
         if (!one_strip) rasterize_film(kernels, scene, camera_, offsets_, samples_, row, rows, hits_);

@@ -56,7 +56,7 @@ PencilSet PencilSolver::create(int index, const PencilSet* source, bool emission
 std::vector<float4> PencilSolver::power_seen(std::shared_ptr<GeometryMaps> maps, const PencilSet* source, bool emission, bool direct) {
     PencilSet probes(kernels_.device(), std::move(maps));
     const int n = probes.maps->n, tiles = std::min(chunk_surfels / (n * n), probes.maps->count);
-    Surfels surfels(kernels_.device(), tiles * n * n, "surfels of probes");
+    Surfels surfels(kernels_, tiles * n * n, "surfels of probes");
     Buffer<float> outgoing = surfel_rgb(kernels_.device(), surfels.capacity, "radiance of probes");
     Buffer<int> visible(kernels_.device(), static_cast<std::size_t>(surfels.capacity), "visible pencils");
     for (int first = 0; first < probes.maps->count; first += tiles) {
@@ -81,7 +81,7 @@ void PencilSolver::fill(PencilSet& target, const PencilSet* source, bool emissio
     const auto& device = kernels_.device();
     const int n = target.maps->n;
     const int tiles = chunk_tiles(n, target.maps->count);
-    Surfels surfels(device, tiles * n * n, "surfels of pencil maps");
+    Surfels surfels(kernels_, tiles * n * n, "surfels of pencil maps");
     Buffer<float> outgoing = surfel_rgb(device, surfels.capacity, "radiance of pencil maps");
     Buffer<int> visible(device, static_cast<std::size_t>(surfels.capacity), "visible pencils");
     const bool density = weights && weights_in_maps(options_.weights);

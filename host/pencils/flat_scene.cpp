@@ -93,8 +93,10 @@ void flatten_materials(const Scene& scene, const std::vector<LightForm>& forms, 
         const Shape& shape = scene.shapes[i];
         const Diffuse& bsdf = scene.bsdfs[shape.bsdf];
         float carried = shape.emits && forms[i] == LightForm::maps ? 1.0F : 0.0F;
-        flat.materials.push_back(
-            {float4(bsdf.albedo, bsdf.two_sided ? 1.0F : 0.0F), float4(shape.emits ? shape.radiance : glm::vec3(0), carried)});
+        flat.materials.push_back({float4(bsdf.albedo, bsdf.two_sided ? 1.0F : 0.0F),
+                                  float4(shape.emits ? shape.radiance : glm::vec3(0), carried),
+                                  MATERIAL_DIFFUSE,
+                                  {}});
     }
 }
 

@@ -7,6 +7,7 @@
 #include "scene/scene.h"
 #include "shared/camera.h"
 #include "shared/geometry.h"
+#include "shared/material.h"
 #include "shared/types.h"
 
 namespace pencil {

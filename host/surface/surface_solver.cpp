@@ -56,7 +56,7 @@ void SurfaceSolver::solve(const SurfacePencils& seeds, int orders, double tolera
 /// Room for the texels of one chunk.
 void SurfaceSolver::reserve(int texels) {
     if (surfels_.capacity >= texels) return;
-    surfels_ = Surfels(kernels_.device(), texels, "surfels of surface pencils");
+    surfels_ = Surfels(kernels_, texels, "surfels of surface pencils");
     outgoing_ = surfel_rgb(kernels_.device(), surfels_.capacity, "radiance to surface pencils");
 }
 

@@ -47,12 +47,12 @@ WorldSet::WorldSet(Kernels& kernels, const DeviceScene& scene, const FlatScene& 
       seed_(seed),
       spacing_(static_cast<float>(std::sqrt(darts_per_square * surface_area(flat) / wish))),
       pencils_(kernels.device(), wish, world_map),
-      surfels_(kernels.device(), wish * world_map * world_map, "surfels of the world set") {
+      surfels_(kernels, wish * world_map * world_map, "surfels of the world set") {
     surfels_.count = 0;
 }
 
 void WorldSet::cover(const SurfacePencils& seeds) {
-    Surfels first_seen(kernels_.device(), seeds.count * seeds.texels(), "surfels of the seeds");
+    Surfels first_seen(kernels_, seeds.count * seeds.texels(), "surfels of the seeds");
     trace_hemispheres(kernels_, scene_, seeds, 0, seeds.count, {seed_}, first_seen);
     SeenPoints by_seeds;
     by_seeds.read_pencils(seeds);

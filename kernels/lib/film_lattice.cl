@@ -14,7 +14,10 @@ static inline SurfacePoint surface_point(global const float *surfels, int capaci
     return p;
 }
 
-/// Pixel of lattice corner 0 .. 3 about pixel `at`.
+/// Corners of the square of lattice points about a pixel.
+#define LATTICE_CORNERS 4
+
+/// Pixel of a lattice corner, 0 .. LATTICE_CORNERS - 1, about pixel `at`.
 static inline int2 lattice_pixel(int2 at, int spacing, int corner, int width, int height) {
     int2 p = at / spacing * spacing + spacing * (int2)(corner & 1, corner >> 1);
     return min(p, (int2)(width - 1, height - 1));

@@ -5,10 +5,13 @@
 
 #include "lib/packet.cl"
 
-/// Texel of map entry `i`: entries run through blocks of 4 x 4 texels, so that packets see neighbouring things.
+/// Entries of a map run through blocks of texels of this side, so that packets see neighbouring things.
+#define HEMISPHERE_BLOCK 4
+
+/// Texel of map entry `i`.
 static inline int2 hemisphere_texel(int i, int n) {
-    int block = i / 16, lane = i % 16;
-    return (int2)(block % (n / 4) * 4 + lane % 4, block / (n / 4) * 4 + lane / 4);
+    int block = i / (HEMISPHERE_BLOCK * HEMISPHERE_BLOCK), lane = i % (HEMISPHERE_BLOCK * HEMISPHERE_BLOCK), blocks = n / HEMISPHERE_BLOCK;
+    return HEMISPHERE_BLOCK * (int2)(block % blocks, block / blocks) + (int2)(lane % HEMISPHERE_BLOCK, lane / HEMISPHERE_BLOCK);
 }
 
 /// Point of the unit disc for a point of the square [-1, 1]^2.

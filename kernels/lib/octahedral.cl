@@ -34,18 +34,40 @@ static inline int2 oct_antipode(int2 texel, int n) {
     return (int2)(texel.x >= half_n ? half_n - 1 - ax : half_n + ax, texel.y >= half_n ? half_n - 1 - ay : half_n + ay);
 }
 
-/// Texel of surfel `i` of a tile. Surfels run through a tile in blocks of 8 x 8 texels, and in a block in patches of 4 x 2, so that
-/// packets and blocks of packets see neighbouring things. n is a multiple of 8.
+/// Orders of texels, so that packets of 8 or 16, and blocks of packets, see neighbouring things [texels].
+#define SURFEL_BLOCK 8  // side of a block of surfels
+#define PATCH_WIDTH 4   // in it
+#define PATCH_HEIGHT 2
+#define RAY_BLOCK 4  // side of a block of rays
+
+/// Texel of surfel `i` of a tile. Surfels run through a tile in blocks of SURFEL_BLOCK^2 texels, and in a block in patches. n is a multiple
+/// of SURFEL_BLOCK.
 static inline int2 oct_surfel_texel(int i, int n) {
-    int block = i / 64, patch = i % 64 / 8, lane = i % 8;
-    int2 corner = 8 * (int2)(block % (n / 8), block / (n / 8));
-    return corner + (int2)(patch % 2 * 4 + lane % 4, patch / 2 * 2 + lane / 4);
+    const int in_block = SURFEL_BLOCK * SURFEL_BLOCK, in_patch = PATCH_WIDTH * PATCH_HEIGHT, across = SURFEL_BLOCK / PATCH_WIDTH;
+    int block = i / in_block, patch = i % in_block / in_patch, lane = i % in_patch;
+    int2 corner = SURFEL_BLOCK * (int2)(block % (n / SURFEL_BLOCK), block / (n / SURFEL_BLOCK));
+    return corner + (int2)(patch % across * PATCH_WIDTH + lane % PATCH_WIDTH, patch / across * PATCH_HEIGHT + lane / PATCH_WIDTH);
 }
 
-/// Texel `i` of a tile in an order by blocks of 4 x 4 texels, for packets that must be compact. n is a multiple of 4.
+/// Texel `i` of a tile in an order by blocks of RAY_BLOCK^2 texels, for packets that must be compact. n is a multiple of RAY_BLOCK.
 static inline int2 oct_block_texel(int i, int n) {
-    int block = i / 16, lane = i % 16;
-    return (int2)(block % (n / 4) * 4 + lane % 4, block / (n / 4) * 4 + lane / 4);
+    int block = i / (RAY_BLOCK * RAY_BLOCK), lane = i % (RAY_BLOCK * RAY_BLOCK);
+    return RAY_BLOCK * (int2)(block % (n / RAY_BLOCK), block / (n / RAY_BLOCK)) + (int2)(lane % RAY_BLOCK, lane / RAY_BLOCK);
+}
+
+/// The 4 x 4 texels about a 2 x 2 footprint, row by row.
+#define AROUND_WIDTH 4
+#define AROUND_TEXELS (AROUND_WIDTH * AROUND_WIDTH)
+
+/// Texel k of those about the footprint with first texel `corner` (-1: gutter), folded into the tile.
+static inline int2 oct_texel_around(int2 corner, int k, int n) {
+    return oct_fold_texel(corner + (int2)(k % AROUND_WIDTH, k / AROUND_WIDTH) - 1, n);
+}
+
+/// True if texel k of those about a footprint is one of its own.
+static inline bool texel_is_inner(int k) {
+    int x = k % AROUND_WIDTH, y = k / AROUND_WIDTH;
+    return (x == 1 || x == 2) && (y == 1 || y == 2);
 }
 
 /// Index of a texel (or of a gutter texel, coordinates -1 and n) in the atlas buffer.

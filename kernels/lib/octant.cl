@@ -11,6 +11,11 @@
 #define BOX_SLACK 1e-2f
 #define BOX_TRUSTED_DISTANCE 1e-2f
 
+/// Octants of a tile: a work-item each.
+#define OCTANTS 8
+/// Room for the corners of a triangle clipped by three planes: each adds one at most.
+#define CLIP_CORNERS 7
+
 /// Direction through (u, v) in the octant of signs s: inside the diamond (u, v, 1 - sx u - sy v); outside it
 /// (sx - sx sy v, sy - sx sy u, 1 - sx u - sy v), which is the flip of eq. (4.17).
 static inline RasterFrame octant_frame(float3 s) {
@@ -40,7 +45,7 @@ static inline int clip_polygon(const float4 *in, int count, int axis, float4 *ou
 /// Bounds of |x| / W and |y| / W over the part of the triangle in the octant, corners given with the octant's signs taken out:
 /// (min x, min y, max x, max y); min > max if no part lies in it.
 static inline float4 octant_bounds(float4 p0, float4 p1, float4 p2) {
-    float4 a[7] = {p0, p1, p2}, b[7];
+    float4 a[CLIP_CORNERS] = {p0, p1, p2}, b[CLIP_CORNERS];
     int count = 3;
     float4 low = fmin(fmin(p0, p1), p2);
     if (fmin(fmin(low.x, low.y), low.z) < 0.0f) {
@@ -101,9 +106,9 @@ typedef struct Octant {
     global Hit *tile;
 } Octant;
 
-/// Octant `item` % 8 of tile `item` / 8 behind first_tile, cleared.
+/// Octant `item` % OCTANTS of tile `item` / OCTANTS behind first_tile, cleared.
 static inline Octant clear_octant_of(int item, global const float4 *cops, int first_tile, int n, global Hit *hits) {
-    int octant = item % 8, index = first_tile + item / 8;
+    int octant = item % OCTANTS, index = first_tile + item / OCTANTS;
     Octant o;
     o.s = (float3)(octant & 1 ? -1.0f : 1.0f, octant & 2 ? -1.0f : 1.0f, octant & 4 ? -1.0f : 1.0f);
     o.n = n;

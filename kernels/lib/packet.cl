@@ -1,5 +1,6 @@
 // Packets of PENCIL_WIDTH surfels: the hot kernels are written once and compiled for the width of the device (1 on GPUs, the native
 // float width on CPUs, where the compiler does not vectorise work-items across inner loops). Masks are -1 for true, 0 for false.
+
 #ifndef PENCIL_WIDTH
 #error PENCIL_WIDTH is not defined: surfels per work-item, 1, 4, 8 or 16
 #endif
@@ -65,8 +66,10 @@ typedef PACKET_JOIN(uint, PENCIL_WIDTH) vuint;
 #define LANE_FLOAT(v, l) (((const float *)&(v))[l])
 #define LANE_INT(v, l) (((const int *)&(v))[l])
 
-/// Random bits to [0, 1): the upper 24.
-#define PACKET_UNIT(bits) (PACKET_TO_FLOAT((bits) >> 8u) * 0x1.0p-24f)
+/// Random bits to [0, 1): the upper 24, all that a float holds.
+#define UNIT_SHIFT 8u
+#define UNIT_STEP 0x1.0p-24f
+#define PACKET_UNIT(bits) (PACKET_TO_FLOAT((bits) >> UNIT_SHIFT) * UNIT_STEP)
 
 // Steps that are one instruction of an x86 CPU, for which OpenCL C has no word. Clang defines these macros for such a CPU only; all other
 // compilers see plain OpenCL C.

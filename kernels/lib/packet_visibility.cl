@@ -60,7 +60,7 @@ static inline int packet_crosses(const SurfelPacket *s, const VisibilityMap *map
     if (ahead == 0.0f || !lanes) return 0;
     int crosses = 0;
 #pragma unroll 1
-    for (int t = -(triangle->mates & 0xff); t <= triangle->mates >> 8; ++t)
+    for (int t = -MATES_BEFORE(triangle->mates); t <= MATES_AFTER(triangle->mates); ++t)
         crosses |= packet_meets_triangle(s, triangle + t, cop, ahead > 0.0f ? 1.0f : -1.0f);
     return crosses & lanes;
 }
@@ -70,7 +70,7 @@ static inline int packet_crosses(const SurfelPacket *s, const VisibilityMap *map
 static inline int seen_past_group(const SurfelPacket *s, const VisibilityMap *map, const Footprint *f, int tile, float4 cop, const int *group,
                            const int *inner, int lanes) {
     int shown = 0;
-    for (int g = 0; g < 4 && group[g] >= 0 && lanes; ++g) {
+    for (int g = 0; g < MOST_GROUPS && group[g] >= 0 && lanes; ++g) {
         int own = lanes & PACKET_BITS(PACKET_MASK(s->plane == map->triangles[group[g]].plane));
         shown |= own & inner[g];
         if (own != lanes) lanes &= ~packet_crosses(s, map, group[g], cop, lanes & ~own);
@@ -129,7 +129,7 @@ static inline int settle_by_triangles(const SurfelPacket *s, const VisibilityMap
                 seen |= 1 << lead;
             continue;
         }
-        int alike = 0, group[4], inner[4] = {0, 0, 0, 0};
+        int alike = 0, group[MOST_GROUPS], inner[MOST_GROUPS] = {0, 0, 0, 0};
         for (int rest = open; rest; rest &= rest - 1) {
             int l = LOWEST_LANE(rest);
             int4 about = map->groups[LANE_INT(f->index, l)], differs = (about ^ first) & ~GROUP_INNER;

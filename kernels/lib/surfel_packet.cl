@@ -1,6 +1,7 @@
-// Packets of surfels. A work-item takes a block of PENCIL_BLOCK packets and runs through it pencil by pencil: neighbouring
-// surfels meet the same texels, which then are in the nearest cache.
+// Packets of surfels. A work-item takes a block of PENCIL_BLOCK packets and runs through it pencil by pencil:
+// neighbouring surfels meet the same texels, which then are in the nearest cache.
 
+#include "lib/brdf.cl"
 #include "lib/packet.cl"
 #include "shared/surfel.h"
 
@@ -55,12 +56,12 @@ static inline void store_rgb(global float *rgb_buffer, int capacity, int first, 
     PACKET_STORE(b, out + 2 * (size_t)capacity);
 }
 
-/// Scatters irradiance by the diffuse BRDF albedo / pi (operator K).
+/// Scatters irradiance (operator K): radiance that the surfels reflect [W m^-2 sr^-1] to rgb_buffer[3][capacity], as store_rgb.
 static inline void scatter_irradiance(global const float *surfels, int capacity, int first, vfloat r, vfloat g, vfloat b, global float *rgb_buffer,
                                int accumulate) {
     global const float *s = surfels + first;
-    r *= M_1_PI_F * PACKET_LOAD(s + (size_t)SURFEL_ALBEDO_R * capacity);
-    g *= M_1_PI_F * PACKET_LOAD(s + (size_t)SURFEL_ALBEDO_G * capacity);
-    b *= M_1_PI_F * PACKET_LOAD(s + (size_t)SURFEL_ALBEDO_B * capacity);
+    r = brdf_reflect_packet(PACKET_LOAD(s + (size_t)SURFEL_ALBEDO_R * capacity), r);
+    g = brdf_reflect_packet(PACKET_LOAD(s + (size_t)SURFEL_ALBEDO_G * capacity), g);
+    b = brdf_reflect_packet(PACKET_LOAD(s + (size_t)SURFEL_ALBEDO_B * capacity), b);
     store_rgb(rgb_buffer, capacity, first, r, g, b, accumulate);
 }

@@ -32,7 +32,7 @@ static inline bool segment_crosses(const VisibilityMap *map, int index, float4 c
     float x_ahead = plane_ahead(plane, x);
     if (cop_ahead * x_ahead >= 0.0f || fabs(x_ahead) < PLANE_TOLERANCE) return false;
 #pragma unroll 1
-    for (int t = -(triangle->mates & 0xff); t <= triangle->mates >> 8; ++t)
+    for (int t = -MATES_BEFORE(triangle->mates); t <= MATES_AFTER(triangle->mates); ++t)
         if (line_meets_triangle(triangle + t, cop, x - cop, cop_ahead > 0.0f ? 1.0f : -1.0f)) return true;
     return false;
 }
@@ -60,13 +60,12 @@ static inline float hiding_weight(const VisibilityMap *map, int tile, int2 corne
 /// texel (-1: gutter) in `tile`, (fx, fy) its bilinear weights.
 static inline bool crowded_footprint_visible(const VisibilityMap *map, int tile, int2 corner, float fx, float fy, float4 cop, float4 x, int own) {
     bool shown = false;
-    for (int k = 0; k < 16; ++k) {
-        int2 texel = oct_fold_texel(corner + (int2)(k % 4, k / 4) - 1, map->n);
+    for (int k = 0; k < AROUND_TEXELS; ++k) {
+        int2 texel = oct_texel_around(corner, k, map->n);
         int triangle = map->hits[oct_atlas_index(tile, texel, map->n)].triangle;
         if (triangle < 0) continue;
-        bool inner = k == 5 || k == 6 || k == 9 || k == 10;
         if (map->triangles[triangle].plane == own)
-            shown = shown || inner;
+            shown = shown || texel_is_inner(k);
         else if (segment_crosses(map, triangle, cop, x))
             return false;
     }

@@ -13,6 +13,7 @@
 //   (a, CELL_PAIR(b))   it shows a and b; a surfel on one of them is seen if it is not behind the other
 //   (CELL_MIXED, same)  three planes or more; or two walls that meet, with a third next to them that reaches in between the texels
 #define CELL_MIXED (-2)
+#define MOST_GROUPS 4           // of triangles about a footprint that are stored: an int4
 #define GROUP_INNER 0x40000000  // of a group of triangles about a footprint: a texel of the footprint itself shows it
 #define GROUP_TRIANGLE(group) ((group) < 0 ? (group) : (group) & ~GROUP_INNER)
 #define CELL_PAIR(plane) (-3 - (plane))  // its own inverse

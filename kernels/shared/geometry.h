@@ -4,6 +4,10 @@
 
 #include "shared/types.h"
 
+// The two counts in Triangle.mates.
+#define MATES_BEFORE(mates) ((mates)&0xff)
+#define MATES_AFTER(mates) ((mates) >> 8)
+
 PENCIL_SHARED_BEGIN
 
 typedef struct Triangle {
@@ -17,12 +21,6 @@ typedef struct Triangle {
     int mates;     // triangles of the same plane just before it in the list (bits 0-7) and just after it (bits 8-15), few of each
     //------------------------------------------------- 64 B
 } Triangle;
-
-typedef struct Material {
-    float4 albedo;    // rgb: diffuse reflectance in [0, 1]; w: 1 if both sides reflect, else 0
-    float4 emission;  // rgb: emitted radiance of the front side [W m^-2 sr^-1]; w: 1 if the pencil maps carry it (thesis 6.1.3)
-    //------------------------------------------------- 32 B
-} Material;
 
 // What a ray through a texel or pixel meets first. "Disparity" is the reciprocal of the ray parameter t of the hit, for a direction of
 // unit L1 norm (octahedral tiles) or for the camera's own direction (film). Disparity is affine in the texel coordinates on a plane.

@@ -16,6 +16,13 @@
 #define SURFEL_GX 11        // unit geometric normal on the side that was seen
 #define SURFEL_GY 12
 #define SURFEL_GZ 13
-#define SURFEL_FIELDS 14
+#define SURFEL_FIELDS 14  // that every surfel has
+
+// Where the reflection of some material depends on it (Features::outgoing, on the device PENCIL_OUTGOING):
+#define SURFEL_OX 14  // unit direction from the surface to where it was seen from, zero if nothing was
+#define SURFEL_OY 15
+#define SURFEL_OZ 16
+// Number of fields, with or without them.
+#define SURFEL_FIELDS_WITH(outgoing) ((outgoing) ? 17 : SURFEL_FIELDS)
 
 #define PENCIL_NO_MATERIAL 0x7fffffff

@@ -1,5 +1,5 @@
-// Vocabulary shared by C++17 and OpenCL C 1.2. This header is included by the host and prepended to every device program, so the
-// structs of kernels/shared have one definition. Only 4-byte scalars and 16-byte vectors: float3 has other sizes on the two sides.
+// Vocabulary shared by C++17 and OpenCL C 1.2. Host and kernels include the headers of kernels/shared, so that their structs have
+// one definition. Only 4-byte scalars and 16-byte vectors: float3 has other sizes on the two sides.
 #pragma once
 
 #ifndef __OPENCL_C_VERSION__
@@ -17,3 +17,5 @@ using uint = std::uint32_t;
 #define PENCIL_SHARED_BEGIN
 #define PENCIL_SHARED_END
 #endif
+
+#define WORD_BITS 32  // of a uint that holds a row of flags

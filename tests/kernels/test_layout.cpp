@@ -3,17 +3,19 @@
 
 #include <cstddef>
 #include <cstdlib>
+#include <regex>
+#include <set>
 
+#include "cl/embedded_kernels.h"
 #include "cl/self_test.h"
-
-// Order matters: these headers rely on the first one.
-// clang-format off
-#include "shared/types.h"
+#include "self_test_layout.h"
+#include "shared/bvh.h"
+#include "shared/camera.h"
+#include "shared/cluster.h"
 #include "shared/geometry.h"
 #include "shared/light.h"
-#include "shared/camera.h"
+#include "shared/material.h"
 #include "shared/surface_pencil.h"
-// clang-format on
 
 namespace pencil {
 namespace {
@@ -21,12 +23,14 @@ namespace {
 // The rules of the headers ("---- 64 B"), which array strides in buffers depend on.
 static_assert(sizeof(float4) == 16 && sizeof(uint) == 4);
 static_assert(sizeof(Triangle) == 64 && offsetof(Triangle, plane) == 48);
-static_assert(sizeof(Material) == 32 && offsetof(Material, emission) == 16);
+static_assert(sizeof(Material) == 48 && offsetof(Material, emission) == 16 && offsetof(Material, model) == 32);
 static_assert(sizeof(Hit) == 8);
 static_assert(sizeof(LightSample) == 48);
+static_assert(sizeof(Camera) == 80 && offsetof(Camera, width) == 64);
+static_assert(sizeof(BvhNode) == 80 && offsetof(BvhNode, child) == 64);
+static_assert(sizeof(Cluster) == 32);
 static_assert(sizeof(SurfacePencil) == 192 && offsetof(SurfacePencil, horizon_x) == 48 && offsetof(SurfacePencil, plane) == 176);
 static_assert(sizeof(PencilGrid) == 32 && offsetof(PencilGrid, size_x) == 16);
-static_assert(sizeof(Camera) == 80 && offsetof(Camera, width) == 64);
 
 class SelfTest : public testing::TestWithParam<const char*> {
 protected:
@@ -45,6 +49,25 @@ TEST_P(SelfTest, Passes) {
 
 INSTANTIATE_TEST_SUITE_P(Width, SelfTest, testing::Values("", "1", "4", "8", "16"),
                          [](const auto& width) { return std::string(*width.param ? width.param : "OfTheDevice"); });
+
+/// A struct that is added to kernels/shared is compared between host and device like the others.
+TEST(Layout, EverySharedStructIsInTheList) {
+    std::set<std::string> listed;
+#define LISTED_SIZE(T) listed.insert(#T);
+#define LISTED_FIELD(T, member)
+    PENCIL_LAYOUT(LISTED_SIZE, LISTED_FIELD)
+#undef LISTED_SIZE
+#undef LISTED_FIELD
+    const std::regex definition("typedef struct (\\w+)");
+    int found = 0;
+    for (const auto& [name, text] : embedded_kernels()) {
+        if (name.rfind("shared/", 0) != 0) continue;
+        const std::string source = text;
+        for (std::sregex_iterator match(source.begin(), source.end(), definition), end; match != end; ++match, ++found)
+            EXPECT_EQ(listed.count((*match)[1]), 1u) << (*match)[1] << " of " << name << " is not in self_test_layout.h";
+    }
+    EXPECT_GE(found, 9);
+}
 
 }  // namespace
 }  // namespace pencil

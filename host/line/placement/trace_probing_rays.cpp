@@ -19,7 +19,7 @@ std::vector<ProbingHit> trace_probing_rays(Kernels& kernels, const DeviceScene& 
     const Buffer<float4> origins(kernels.device(), starts, "origins of probing rays"),
         directions(kernels.device(), ways, "directions of probing rays");
     const Buffer<int> own(kernels.device(), planes, "planes of probing rays");
-    Surfels surfels(kernels.device(), count, "surfels of probing rays");
+    Surfels surfels(kernels, count, "surfels of probing rays");
     Buffer<float> distances(kernels.device(), rays.size(), "distances of probing rays");
     kernels.get("trace_probing_rays")
         .args(origins, directions, own, count, scene.nodes, scene.leaves, scene.triangles, scene.planes, scene.materials, scene.normals,
