@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Renders the gallery of README.md: docs/images/gallery/*.jpg and the table beside them. The references it judges by take most of an hour
-# the first time and are kept in out/gallery. Arguments: see scripts/gallery.py --help; --spp 64 --width 96 to try it.
+# Renders the gallery of README.md: docs/images/gallery/*.jpg and the table beside them. The references it judges by take half an hour or
+# more the first time and are kept in out/gallery. Arguments: see scripts/gallery.py --help; --spp 64 --width 96 to try it.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 

@@ -11,7 +11,9 @@ using namespace pencil;
 constexpr const char* test_kernels = PENCIL_SOURCE_DIR "/tests/kernels/test_program.cl";
 
 TEST(AddingADevice, EveryDeviceIsFoundTestedAndComputes) {
-    for (const DeviceInfo& info : list_devices()) {
+    const std::vector<DeviceInfo> devices = list_devices();
+    ASSERT_FALSE(devices.empty()) << no_device_advice();
+    for (const DeviceInfo& info : devices) {
         const std::shared_ptr<Device> device = Device::open(std::to_string(info.index));
         EXPECT_EQ(device->info().name, info.name);
 
@@ -20,7 +22,7 @@ TEST(AddingADevice, EveryDeviceIsFoundTestedAndComputes) {
             EXPECT_TRUE(result.passed) << info.name << ", " << result.name << ": " << result.detail;
 
         Buffer<float> values(device, std::vector<float>{1.0F, 2.0F, 3.0F}, "values");
-        programs.kernel("scale", {test_kernels}).args(values, 3, 2.0F).run(3, "scaling");
+        programs.kernel("scale", test_kernels).args(values, 3, 2.0F).run(3, "scaling");
         EXPECT_EQ(values.read(), (std::vector<float>{2.0F, 4.0F, 6.0F})) << info.name;
     }
 }
