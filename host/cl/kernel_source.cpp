@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 #include <sstream>
+#include <vector>
 
 #include "cl/embedded_kernels.h"
 #include "util/error.h"
@@ -45,6 +46,19 @@ std::string shown(const std::string& file) {
     return path.is_absolute() ? path.filename().string() : file;
 }
 
+/// Embedded files that a name with one star stands for, in alphabetical order.
+std::vector<std::string> matching_files(const std::string& pattern) {
+    const std::string before = pattern.substr(0, pattern.find('*')), after = pattern.substr(pattern.find('*') + 1);
+    std::vector<std::string> files;
+    for (const auto& entry : embedded_kernels()) {
+        const std::string& file = entry.first;
+        const bool fits = file.size() >= before.size() + after.size() && file.compare(0, before.size(), before) == 0 &&
+                          file.compare(file.size() - after.size(), after.size(), after) == 0;
+        if (fits) files.push_back(file);
+    }
+    return files;
+}
+
 /// Kernels that only tests use include what lies beside them, too.
 std::string place_of(const std::string& name, const std::string& includer) {
     const std::filesystem::path beside = std::filesystem::path(includer).parent_path() / name;
@@ -79,6 +93,10 @@ public:
 
 private:
     void include(const std::string& name, const std::string& where, bool conditional, bool nested) {
+        if (name.find('*') != std::string::npos) {
+            for (const std::string& file : matching_files(name)) include(file, where, conditional, nested);
+            return;
+        }
         if (taken_.count(name) > 0) return;
         if (nested) throw DeviceError(where + ": " + name + " must be included before the #if that this file stands in");
         taken_.insert(name);

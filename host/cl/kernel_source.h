@@ -10,7 +10,7 @@ namespace pencil {
 std::string kernel_source(const std::string& file);
 
 /// The whole program that `text` begins: lines #include "lib/x.cl" are replaced by that file, each file once, depth first; a text on disk
-/// includes what lies beside it, too. #line directives
+/// includes what lies beside it, too; a star in a name stands for all files that fit. #line directives
 /// keep the names and lines of files in the compiler's messages; `file` stands for the text in them. DeviceError naming file and line for
 /// includes that cannot be found, and for a file first included between #if and #endif that includes others: a false branch would hide them.
 std::string resolve_includes(const std::string& text, const std::string& file);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ namespace pencil {
 struct Features {
     bool smooth = false;    // some triangle has vertex normals: interpolated shading normals
     int film_samples = 16;  // visibility samples per pixel
+    std::set<int> models;   // of reflection, that some material has (shared/material.h)
     bool outgoing = false;  // some material reflects by where it is seen from: surfels carry that direction
     // What the method needs:
     int weights = PENCIL_WEIGHTS_DPDF;  // form of the quadrature weights (shared/weights.h)

@@ -51,15 +51,6 @@ bool contains(const Plane3& plane, const Plane3& other, const glm::dvec3* corner
     return true;
 }
 
-/// On the device.
-int model_of(MaterialKind kind) {
-    switch (kind) {
-        case MaterialKind::diffuse:
-            return MATERIAL_DIFFUSE;
-    }
-    throw std::logic_error("a material without a model");
-}
-
 /// Rows are made as triangles need them. What emits shares none: its radiance, the form of its light and the area that its samples stand
 /// for are its own.
 class MaterialRows {
@@ -82,8 +73,8 @@ private:
         const float carried = shape.emits && forms_[t.shape] == LightForm::maps ? 1.0F : 0.0F;
         return {float4(material.albedo, material.two_sided ? 1.0F : 0.0F),
                 float4(shape.emits ? shape.radiance : glm::vec3(0), carried),
-                model_of(material.kind),
-                {}};
+                material.model,
+                {material.parameters.x, material.parameters.y, material.parameters.z}};
     }
 
     const Scene& scene_;

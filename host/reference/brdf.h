@@ -1,6 +1,6 @@
 // Reflection of one side of a surface, whatever its model. Directions are unit vectors of the shading frame, the normal is +z: omega_o to
 // the viewer, omega_i to the light. Solid angles count in units of pi steradians, so that a diffuse BRDF is its albedo and its density the
-// cosine: no rounding of pi enters. A model is a case here and a file brdf_<model>.
+// cosine: no rounding of pi enters. A model enters the list of shared/material.h and has a file brdf_<model>.
 #pragma once
 
 #include <cmath>
@@ -9,41 +9,52 @@
 
 namespace pencil {
 
+// The functions of brdf_<model>.cpp, for every model of shared/material.h beside the diffuse one.
+#define BRDF_DECLARE(NAME, name)                                                                           \
+    glm::vec3 evaluate_##name(const SurfaceMaterial&, const glm::vec3& omega_o, const glm::vec3& omega_i); \
+    glm::vec3 albedo_##name(const SurfaceMaterial&, const glm::vec3& omega_o);                             \
+    BrdfSample sample_##name(const SurfaceMaterial&, const glm::vec3& omega_o, const glm::dvec2& u);       \
+    float pdf_##name(const SurfaceMaterial&, const glm::vec3& omega_o, const glm::vec3& omega_i);
+MATERIAL_MODELS(BRDF_DECLARE)
+#undef BRDF_DECLARE
+
+#define BRDF_EVALUATE(NAME, name) \
+    if (material.model == MATERIAL_##NAME) return evaluate_##name(material, omega_o, omega_i);
+#define BRDF_ALBEDO(NAME, name) \
+    if (material.model == MATERIAL_##NAME) return albedo_##name(material, omega_o);
+#define BRDF_SAMPLE(NAME, name) \
+    if (material.model == MATERIAL_##NAME) return sample_##name(material, omega_o, u);
+#define BRDF_PDF(NAME, name) \
+    if (material.model == MATERIAL_##NAME) return pdf_##name(material, omega_o, omega_i);
+
 /// f_r(omega_o, omega_i), without the cosine [1 / (pi sr)].
 inline glm::vec3 evaluate(const SurfaceMaterial& material, const glm::vec3& omega_o, const glm::vec3& omega_i) {
-    switch (material.kind) {
-        case MaterialKind::diffuse:
-            return evaluate_diffuse(material, omega_o, omega_i);
-    }
-    return glm::vec3(0.0F);
+    MATERIAL_MODELS(BRDF_EVALUATE)
+    return evaluate_diffuse(material, omega_o, omega_i);
 }
 
 /// Share of the light from all around that leaves towards omega_o.
 inline glm::vec3 albedo(const SurfaceMaterial& material, const glm::vec3& omega_o) {
-    switch (material.kind) {
-        case MaterialKind::diffuse:
-            return albedo_diffuse(material, omega_o);
-    }
-    return glm::vec3(0.0F);
+    MATERIAL_MODELS(BRDF_ALBEDO)
+    return albedo_diffuse(material, omega_o);
 }
 
 /// omega_i for `u`, uniform in [0, 1)^2.
 inline BrdfSample sample(const SurfaceMaterial& material, const glm::vec3& omega_o, const glm::dvec2& u) {
-    switch (material.kind) {
-        case MaterialKind::diffuse:
-            return sample_diffuse(material, omega_o, u);
-    }
-    return {};
+    MATERIAL_MODELS(BRDF_SAMPLE)
+    return sample_diffuse(material, omega_o, u);
 }
 
 /// Density with which `sample` chooses omega_i [1 / (pi sr)].
 inline float pdf(const SurfaceMaterial& material, const glm::vec3& omega_o, const glm::vec3& omega_i) {
-    switch (material.kind) {
-        case MaterialKind::diffuse:
-            return pdf_diffuse(material, omega_o, omega_i);
-    }
-    return 0.0F;
+    MATERIAL_MODELS(BRDF_PDF)
+    return pdf_diffuse(material, omega_o, omega_i);
 }
+
+#undef BRDF_EVALUATE
+#undef BRDF_ALBEDO
+#undef BRDF_SAMPLE
+#undef BRDF_PDF
 
 /// Right-handed orthonormal frame about a unit normal (Duff et al. 2017).
 class ShadingFrame {

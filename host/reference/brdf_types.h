@@ -9,9 +9,10 @@ namespace pencil {
 
 /// Reflection of a triangle.
 struct SurfaceMaterial {
-    MaterialKind kind = MaterialKind::diffuse;
+    int model = MATERIAL_DIFFUSE;
     glm::vec3 albedo{0.0F};
     bool two_sided = false;
+    glm::vec3 parameters{0.0F};
 };
 
 /// A direction that light is followed to.

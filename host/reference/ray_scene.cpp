@@ -51,7 +51,8 @@ RTCRay embree_ray(const Ray& ray) {
 
 RayScene::RayScene(const Scene& scene) {
     for (const Shape& shape : scene.shapes) emission_.push_back({shape.emits ? shape.radiance : glm::vec3(0.0F), 0.0F});
-    for (const SceneMaterial& material : scene.materials) materials_.push_back({material.kind, material.albedo, material.two_sided});
+    for (const SceneMaterial& material : scene.materials)
+        materials_.push_back({material.model, material.albedo, material.two_sided, material.parameters});
     normalise(scene);
     build(scene, add_triangles(scene));
 }

@@ -8,16 +8,17 @@
 #include <string>
 #include <vector>
 
-namespace pencil {
+#include "shared/material.h"
 
-enum class MaterialKind { diffuse };
+namespace pencil {
 
 /// Reflection of the front side (counter-clockwise corners), of both sides if two_sided.
 struct SceneMaterial {
     std::string id;  // from the file, or empty
-    MaterialKind kind = MaterialKind::diffuse;
+    int model = MATERIAL_DIFFUSE;
     glm::vec3 albedo{0.5F};  // linear sRGB, each in [0, 1]
     bool two_sided = false;
+    glm::vec3 parameters{0.0F};  // of the model (shared/material.h)
 };
 
 struct Triangle3 {

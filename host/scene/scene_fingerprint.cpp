@@ -52,7 +52,7 @@ void add_materials_and_lights(Hash& hash, const Scene& scene) {
         hash.add(shape.radiance);
     }
     for (const SceneMaterial& material : scene.materials) {
-        hash.add(static_cast<int>(material.kind));
+        hash.add(material.model);
         hash.add(material.albedo);
         hash.add(material.two_sided);
     }

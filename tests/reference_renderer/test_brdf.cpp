@@ -18,7 +18,7 @@ glm::vec3 hemisphere(Random& random) {
     return {r * std::cos(phi), r * std::sin(phi), z};
 }
 
-std::vector<SurfaceMaterial> materials() { return {{MaterialKind::diffuse, {0.2F, 0.5F, 0.9F}, false}}; }
+std::vector<SurfaceMaterial> materials() { return {{MATERIAL_DIFFUSE, {0.2F, 0.5F, 0.9F}, false, {}}}; }
 
 TEST(Brdf, IsSymmetric) {
     Random random(71);

@@ -35,7 +35,7 @@ inline void add_shape(Scene& scene, const std::string& id, const std::vector<Fac
     shape.emits = surface.radiance != glm::vec3(0.0F);
     shape.radiance = surface.radiance;
     const auto number = static_cast<std::uint32_t>(scene.shapes.size()), material = static_cast<std::uint32_t>(scene.materials.size());
-    scene.materials.push_back({id, MaterialKind::diffuse, surface.albedo, surface.two_sided});
+    scene.materials.push_back({id, MATERIAL_DIFFUSE, surface.albedo, surface.two_sided, glm::vec3(0.0F)});
     for (const Face& face : faces) {
         const auto first = static_cast<std::uint32_t>(scene.positions.size());
         scene.positions.insert(scene.positions.end(), face.begin(), face.end());

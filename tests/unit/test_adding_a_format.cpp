@@ -27,7 +27,7 @@ Scene read_room(const std::filesystem::path& file, const LoadOptions&) {
     }
     Scene scene;
     scene.file = file.string();
-    scene.materials.push_back({"wall", MaterialKind::diffuse, glm::vec3(0.5F), false});
+    scene.materials.push_back({"wall", MATERIAL_DIFFUSE, glm::vec3(0.5F)});
     place_mesh(make_cube(), placement, {0, 0}, shown(file), scene);
     scene.shapes.push_back({"room", "cube", 0, static_cast<std::uint32_t>(scene.triangles.size())});
     scene.point_lights.push_back({glm::dvec3(0.0), glm::vec3(1.0F)});

@@ -39,8 +39,7 @@ std::uint32_t ShapeReader::material_of(Properties& p, bool emits) {
     }
     if (found) return *found;
     std::int64_t& index = default_material_[emits ? 1 : 0];
-    if (index < 0)
-        index = add_material({emits ? "default (emitter)" : "default", MaterialKind::diffuse, glm::vec3(emits ? 0.0F : 0.5F), false});
+    if (index < 0) index = add_material({emits ? "default (emitter)" : "default", MATERIAL_DIFFUSE, glm::vec3(emits ? 0.0F : 0.5F)});
     return static_cast<std::uint32_t>(index);
 }
 
