@@ -1,4 +1,4 @@
-# pencil_library(FOLDER [USES folders...] [LINKS libraries...] [PRIVATE libraries...] [SOURCES generated files...])
+# pencil_library(FOLDER [USES folders...] [LINKS libraries...] [PRIVATE libraries...] [SOURCES generated files...] [PRECOMPILE headers...])
 # The library pencil_<folder> of host/<folder>/*.cpp. Its headers are reached through a folder of links that holds these headers only, so
 # whoever does not use the library cannot include them.
 
@@ -23,7 +23,7 @@ target_link_libraries(pencil_shared INTERFACE glm::glm)
 set_property(TARGET pencil_shared PROPERTY EXPORT_NAME shared)
 
 function(pencil_library folder)
-    cmake_parse_arguments(ARG "" "" "USES;LINKS;PRIVATE;SOURCES" ${ARGN})
+    cmake_parse_arguments(ARG "" "" "USES;LINKS;PRIVATE;SOURCES;PRECOMPILE" ${ARGN})
     string(REPLACE "/" "_" name ${folder})
     file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/host/${folder}/*.cpp)
     file(GLOB headers CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/host/${folder}/*.h)
@@ -36,6 +36,7 @@ function(pencil_library folder)
     target_link_libraries(pencil_${name} PUBLIC pencil_shared ${ARG_LINKS} PRIVATE ${ARG_PRIVATE} $<BUILD_INTERFACE:pencil_warnings>)
     set_property(TARGET pencil_${name} PROPERTY EXPORT_NAME ${name})
     set_property(GLOBAL APPEND PROPERTY PENCIL_LIBRARIES pencil_${name})
+    target_precompile_headers(pencil_${name} PRIVATE ${ARG_PRECOMPILE})
     foreach(used IN LISTS ARG_USES)
         string(REPLACE "/" "_" used ${used})
         target_link_libraries(pencil_${name} PUBLIC pencil_${used})
