@@ -1,6 +1,8 @@
 // Programs: source text from the embedded files or from disk, build options, build errors that can be acted on.
 #include "cl/program.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -36,8 +38,9 @@ std::string environment(const char* name) {
 std::string build_options(const Defines& defines) {
     std::string options = build_flags;
     for (const auto& [name, value] : defines) {
-        if (name.empty() || (name + value).find_first_of(" \t\n\"'\\") != std::string::npos)
-            throw DeviceError("the define " + name + "=" + value + " holds a blank or quote, which build options cannot carry");
+        constexpr const char* special = " \t\n\"'\\";
+        if (name.empty() || name.find_first_of(special) != std::string::npos || value.find_first_of(special) != std::string::npos)
+            throw DeviceError(fmt::format("the define {}={} holds a blank or quote, which build options cannot carry", name, value));
         options.append(" -D ").append(name).append("=").append(value);
     }
     return options;

@@ -115,6 +115,7 @@ std::vector<Layer> LayerMean::snapshot() const {
 
 std::vector<Layer> LayerMean::take() {
     append_error(mean_);
+    count_ = 0;
     return std::move(mean_);
 }
 

@@ -63,7 +63,8 @@ void FreeSpace::reach_film(const Surfels& film) {
     for (std::size_t i = 0; i < planes.size(); ++i) {
         if (planes[i] < 0) continue;
         const bool back = materials[i] < 0;
-        if (back && flat_.materials[static_cast<std::size_t>(~materials[i])].albedo.w == 0.0F) continue;
+        const int material = back ? ~materials[i] : materials[i];
+        if (back && flat_.materials[static_cast<std::size_t>(material)].albedo.w == 0.0F) continue;
         const std::size_t side = 2 * shape_of_plane[static_cast<std::size_t>(planes[i])] + (back ? 1 : 0);
         reached_[side / 32] |= 1U << (side % 32);
     }

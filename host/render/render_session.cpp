@@ -67,6 +67,9 @@ bool RenderSession::advance() {
         ended_ = !method_->advance() || context_->clock.stopped();
     } catch (const Stopped&) {
         ended_ = true;
+    } catch (...) {
+        ended_ = true;  // the step is half done
+        throw;
     }
     return !ended_;
 }
@@ -89,6 +92,7 @@ RenderStats RenderSession::stats() const {
 }
 
 RenderResult RenderSession::finish() {
+    ended_ = true;
     RenderResult result;
     result.stats = stats();
     result.layers = method_->take();

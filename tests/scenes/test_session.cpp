@@ -94,6 +94,16 @@ TEST(SessionOfBounces, EachStepAddsOne) {
     EXPECT_FALSE(has(session.snapshot(), "bounce3"));
 }
 
+TEST(SessionOfPasses, NothingFollowsTheEnd) {
+    const Scene scene = cie_cube(0.5);
+    RenderSession session(scene, small_options(MethodName::surface), device());
+    for (int k = 0; k < 3; ++k) ASSERT_TRUE(session.advance());
+    EXPECT_FALSE(session.finish().layers.empty());
+    EXPECT_FALSE(session.advance());
+    EXPECT_TRUE(session.snapshot().empty());
+    EXPECT_FALSE(std::isfinite(session.estimated_error()));
+}
+
 TEST(SessionOptions, AreSettledByMethodAndScene) {
     Scene scene = furnace(0.5F);
     scene.max_depth = 3;

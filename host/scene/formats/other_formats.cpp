@@ -43,7 +43,8 @@ float float_at(std::string_view bytes, std::size_t at) {
 /// 80 bytes of any kind, the number of triangles, and 50 bytes for each: normal, three corners, two bytes of any kind.
 bool is_binary_stl(std::string_view head) {
     constexpr std::size_t begin = 84, step = 50;
-    if (head.size() < begin + step) return false;
+    const bool utf16 = begins_with(head, "\xff\xfe") || begins_with(head, "\xfe\xff");  // text whose zeros look like small numbers
+    if (utf16 || head.size() < begin + step) return false;
     std::uint32_t count = 0;
     std::memcpy(&count, head.data() + begin - sizeof count, sizeof count);
     const std::size_t seen = std::min<std::size_t>(count, (head.size() - begin) / step);

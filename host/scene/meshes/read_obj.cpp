@@ -66,11 +66,18 @@ private:
         else if (keyword == "vn")
             normals_.push_back(numbers("vn", line, 3, 3));
         else if (keyword == "vt")
-            uvs_.emplace_back(numbers("vt", line, 1, 3));  // u, then perhaps v and w
+            uvs_.push_back(texture_coordinate(line));
         else if (keyword == "f")
             face(line);
         else if (keyword.find('\0') != std::string_view::npos)
             fail("binary data: this is not an OBJ file");
+    }
+
+    /// u, then perhaps v and w. Exporters write what is no number, too, and nothing that is rendered today depends on it: that is 0.
+    glm::dvec2 texture_coordinate(std::string_view line) const {
+        glm::dvec2 uv(0.0);
+        for (int k = 0; k < 2; ++k) uv[k] = parse_number(next_word(line)).value_or(0.0);
+        return uv;
     }
 
     /// The first three of them; zero where there are fewer.
