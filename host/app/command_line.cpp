@@ -32,9 +32,9 @@ void read(const Option& row, const std::string& text) {
     }
 }
 
-std::string help_text(const Option& row) { return row.help + (row.accepted.empty() ? "" : " [" + row.accepted + "]"); }
-
-std::string help_of(const Option& row) { return (row.method.empty() ? "" : "Method " + row.method + ": ") + help_text(row); }
+std::string help_of(const Option& row) {
+    return (row.method.empty() ? "" : "Method " + row.method + ": ") + row.help + (row.accepted.empty() ? "" : " [" + row.accepted + "]");
+}
 
 CLI::Option* add(CLI::App& app, const Option& row) {
     if (row.flag.front() == '-' && row.value.empty())

@@ -1,6 +1,5 @@
 // `pencil document`: the tables of options as documentation, for docs/options.md and the man page.
 #include <iostream>
-#include <sstream>
 
 #include "app/command_line.h"
 #include "app/commands.h"

@@ -79,17 +79,6 @@ Option device_row(std::string& device) {
 
 Option quiet_row(bool& quiet) { return switch_row("--quiet", quiet, "No progress, no summary; warnings and errors stay"); }
 
-Option depth_row(int& depth) {
-    return {"--max-depth",
-            "K",
-            fmt::format("auto, 1 to {}", most_depth),
-            "the scene's max_depth",
-            "Longest paths: 1 emission only, 2 with direct light; auto: no limit",
-            "",
-            [&depth](const std::string& text) { depth = text == "auto" ? -1 : static_cast<int>(parse_integer(text, 1, most_depth)); },
-            [&depth] { return depth < 0 ? OptionValue(std::string("auto")) : OptionValue(std::int64_t{depth}); }};
-}
-
 /// Either a number of paths or a time; the other is not given.
 Rows budget_rows(ReferenceOptions& o) {
     Option paths = integer_option("--spp", o.spp, 1, most_paths, "Camera paths per pixel");
@@ -126,10 +115,12 @@ std::vector<Option> option_table(ReferenceCommand& command) {
     Rows rows = scene_rows(command.scene, command.defines);
     rows.push_back(output_row(command.outputs));
     append(rows, budget_rows(o));
-    append(rows,
-           {depth_row(o.max_depth), resolution_option(o.width, o.height, "the scene's"),
-            list_option("--aov", command.aovs, reference_layers(), "all but variance", "Layers beside the beauty, separated by commas"),
-            seed_option(o.seed), path_row("--stats", "FILE", command.stats, "Write times and counts as JSON"), quiet_row(command.quiet)});
+    append(
+        rows,
+        {endless_option("--max-depth", o.max_depth, 1, most_depth, "Longest paths: 1 emission only, 2 with direct light; auto: no limit"),
+         resolution_option(o.width, o.height, "the scene's"),
+         list_option("--aov", command.aovs, reference_layers(), "all but variance", "Layers beside the beauty, separated by commas"),
+         seed_option(o.seed), path_row("--stats", "FILE", command.stats, "Write times and counts as JSON"), quiet_row(command.quiet)});
     return rows;
 }
 

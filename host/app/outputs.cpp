@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "image/write_image.h"
+#include "options/layer.h"
 #include "util/error.h"
 #include "util/format.h"
 #include "util/output_file.h"
@@ -41,8 +42,7 @@ void check_outputs(const std::vector<fs::path>& images, const fs::path& stats, c
 
 void check_film_memory(int width, int height, const std::vector<std::string>& aovs) {
     const int bounce_layers = 8;  // a guess that errs on the small side: what fails here could never have worked
-    const auto wanted = [&](const char* name) { return std::find(aovs.begin(), aovs.end(), name) != aovs.end() ? 1 : 0; };
-    const int layers = 1 + static_cast<int>(aovs.size()) + (bounce_layers - 1) * wanted("bounces");
+    const int layers = 1 + static_cast<int>(aovs.size()) + (has_group(aovs, bounces_group) ? bounce_layers - 1 : 0);
     const double needed = static_cast<double>(width) * height * layers * 3 * sizeof(float);
     const double present = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
     if (needed > present) {

@@ -34,9 +34,9 @@ ReferenceOptions options_for(const ReferenceCommand& command, const Scene& scene
     const auto wants_any = [&](const std::vector<std::string>& names) {
         return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return has_group(command.aovs, name); });
     };
-    options.bounces = wants_any({"emission", "direct", "bounces"});
-    options.surfaces = wants_any({"albedo", "normal", "depth", "position"});
-    options.variance = wants_any({"variance"});
+    options.bounces = wants_any(light_groups());
+    options.surfaces = wants_any(surface_groups());
+    options.variance = wants_any({variance_layer});
     return options;
 }
 
@@ -50,7 +50,7 @@ ReferenceResult trace_with_progress(const Scene& scene, const ReferenceCommand& 
 
 /// The layers come in groups; those that nobody asked for are dropped here.
 bool is_wanted(const Layer& layer, const std::vector<std::string>& aovs) {
-    return layer.name.empty() || has_group(aovs, is_bounce(layer.name) ? "bounces" : layer.name);
+    return layer.name.empty() || has_group(aovs, is_bounce(layer.name) ? bounces_group : layer.name);
 }
 
 void write_images(ReferenceReport& report, const ReferenceCommand& command) {

@@ -83,7 +83,7 @@ std::vector<float> select_channels(const NamedLayer& layer, const std::vector<st
 }
 
 bool is_light(const std::string& name) {
-    return name == "beauty" || name == "emission" || name == "direct" || name == "indirect" || is_bounce(name);
+    return name == "beauty" || name == emission_layer || name == direct_layer || name == indirect_layer || is_bounce(name);
 }
 
 }  // namespace pencil

@@ -7,6 +7,7 @@
 
 #include "compare/compare_images.h"
 #include "compare/image_layers.h"
+#include "options/layer.h"
 #include "compare/lab.h"
 #include "converge/runs.h"
 #include "image/write_image.h"
@@ -34,7 +35,7 @@ std::optional<double> noise_of(const Image& image, const std::vector<NamedLayer>
     const auto said = image.metadata.find(noise_key);
     if (said != image.metadata.end()) return std::stod(said->second);
     const std::vector<std::string> rgb{"R", "G", "B"};
-    const auto variance = std::find_if(layers.begin(), layers.end(), [](const NamedLayer& layer) { return layer.name == "variance"; });
+    const auto variance = std::find_if(layers.begin(), layers.end(), [](const NamedLayer& layer) { return layer.name == variance_layer; });
     if (variance == layers.end() || variance->channels != rgb) return {};
     const std::vector<float>& beauty = layers.front().pixels;
     std::vector<float> displaced(beauty.size());

@@ -26,7 +26,12 @@ public:
         stage_ = name;
         poll();
         const Mark start = mark();
-        work();
+        try {
+            work();
+        } catch (const Stopped&) {
+            close(name, start);  // what was done is part of the report
+            throw;
+        }
         return close(name, start);
     }
 

@@ -50,15 +50,15 @@ void FilmLayers::add_surfaces(Kernels& kernels, const DeviceScene& scene, const 
     Buffer<float> emission = surfel_rgb(kernels.device(), surfels.capacity, "emission of the film");
     emit_surfels(kernels, scene, surfels, false, emission);
     beauty_ = film.resolve(kernels, emission);
-    if (wants("emission")) light_.push_back({"emission", 3, beauty_});
-    if (wants("albedo")) surface_.push_back({"albedo", 3, film.resolve(kernels, surfels.data, SURFEL_ALBEDO_R)});
-    if (wants("depth") || wants("position")) {
+    if (wants(emission_layer)) light_.push_back({emission_layer, 3, beauty_});
+    if (wants(albedo_layer)) surface_.push_back({albedo_layer, 3, film.resolve(kernels, surfels.data, SURFEL_ALBEDO_R)});
+    if (wants(depth_layer) || wants(position_layer)) {
         std::vector<float> position = film.resolve(kernels, surfels.data, SURFEL_X), depth;
         to_world(flat, film.has_empty() ? film.cover(kernels) : std::vector<float>(), position, depth);
-        if (wants("depth")) surface_.push_back({"depth", 1, std::move(depth)});
-        if (wants("position")) surface_.push_back({"position", 3, std::move(position)});
+        if (wants(depth_layer)) surface_.push_back({depth_layer, 1, std::move(depth)});
+        if (wants(position_layer)) surface_.push_back({position_layer, 3, std::move(position)});
     }
-    if (wants("normal")) surface_.push_back({"normal", 3, film.resolve(kernels, surfels.data, SURFEL_NX)});
+    if (wants(normal_layer)) surface_.push_back({normal_layer, 3, film.resolve(kernels, surfels.data, SURFEL_NX)});
 }
 
 void FilmLayers::add_to_beauty(const std::vector<float>& pixels) {
@@ -68,7 +68,8 @@ void FilmLayers::add_to_beauty(const std::vector<float>& pixels) {
 
 void FilmLayers::add_bounce(int order, std::vector<float> pixels) {
     add_to_beauty(pixels);
-    if (wants(order == 1 ? "direct" : "bounces")) light_.push_back({order == indirect ? indirect_layer : bounce_layer(order), 3, pixels});
+    if (wants(order == 1 ? direct_layer : bounces_group))
+        light_.push_back({order == indirect ? indirect_layer : bounce_layer(order), 3, pixels});
     last_bounce_ = std::move(pixels);
     last_order_ = order;
 }
@@ -77,7 +78,7 @@ double FilmLayers::close_series(const glm::dvec3& factor) {
     for (std::size_t i = 0; i < last_bounce_.size(); ++i) last_bounce_[i] *= static_cast<float>(factor[static_cast<int>(i % 3)]);
     add_to_beauty(last_bounce_);
     const glm::dvec3 tail = mean_rgb(last_bounce_), image = mean_rgb(beauty_);
-    if (wants("bounces")) light_.push_back({tail_layer(last_order_ + 1), 3, std::move(last_bounce_)});
+    if (wants(bounces_group)) light_.push_back({tail_layer(last_order_ + 1), 3, std::move(last_bounce_)});
     const double sum = image.x + image.y + image.z;
     return sum > 0 ? (tail.x + tail.y + tail.z) / sum : 0.0;
 }

@@ -7,11 +7,25 @@
 namespace pencil {
 
 const std::vector<std::string>& layer_groups() {
-    static const std::vector<std::string> groups{"emission", "direct", "bounces", "albedo", "normal", "depth", "position"};
+    static const std::vector<std::string> groups = [] {
+        std::vector<std::string> all = light_groups();
+        all.insert(all.end(), surface_groups().begin(), surface_groups().end());
+        return all;
+    }();
     return groups;
 }
 
-std::string bounce_layer(int order) { return order == 1 ? "direct" : fmt::format("bounce{}", order); }
+const std::vector<std::string>& light_groups() {
+    static const std::vector<std::string> groups{emission_layer, direct_layer, bounces_group};
+    return groups;
+}
+
+const std::vector<std::string>& surface_groups() {
+    static const std::vector<std::string> groups{albedo_layer, normal_layer, depth_layer, position_layer};
+    return groups;
+}
+
+std::string bounce_layer(int order) { return order == 1 ? direct_layer : fmt::format("bounce{}", order); }
 
 std::string tail_layer(int first_order) { return fmt::format("tail{}", first_order); }
 

@@ -13,11 +13,21 @@ struct Layer {
     std::vector<float> pixels;
 };
 
-/// What --aov chooses from, in the order of files: "emission", "direct", "bounces" (all that bounce_layer names from order 2 on,
-/// "indirect", and the tail of the series), "albedo", "normal", "depth", "position".
-const std::vector<std::string>& layer_groups();
+constexpr const char* emission_layer = "emission";
+constexpr const char* direct_layer = "direct";
+constexpr const char* albedo_layer = "albedo";
+constexpr const char* normal_layer = "normal";
+constexpr const char* depth_layer = "depth";
+constexpr const char* position_layer = "position";
+/// Not a layer, but all of them that bounce_layer names from order 2 on, indirect_layer, and the tail of the series.
+constexpr const char* bounces_group = "bounces";
 
-/// "direct" for order 1, then "bounce2" and so on.
+/// What --aov chooses from, in the order of files: layers of light, then of surfaces.
+const std::vector<std::string>& layer_groups();
+const std::vector<std::string>& light_groups();
+const std::vector<std::string>& surface_groups();
+
+/// direct_layer for order 1, then "bounce2" and so on.
 std::string bounce_layer(int order);
 
 /// The sum of reflection `first_order` and all further ones: "tail16". Images pair layers by name, and this one only pairs those that hold

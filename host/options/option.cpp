@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <limits>
 #include <tuple>
 
 #include "options/option_values.h"
@@ -48,6 +47,18 @@ Option integer_option(const std::string& flag, int& value, int low, int high, co
             "",
             [&value, low, high](const std::string& text) { value = static_cast<int>(parse_integer(text, low, high)); },
             [&value] { return OptionValue(std::int64_t{value}); }};
+}
+
+Option endless_option(const std::string& flag, int& value, int low, int high, const std::string& help) {
+    return {
+        flag,
+        "K",
+        fmt::format("auto, {} to {}", low, high),
+        "the scene's max_depth",
+        help,
+        "",
+        [&value, low, high](const std::string& text) { value = text == "auto" ? -1 : static_cast<int>(parse_integer(text, low, high)); },
+        [&value] { return value < 0 ? OptionValue(std::string("auto")) : OptionValue(std::int64_t{value}); }};
 }
 
 Option real_option(const std::string& flag, double& value, double low, bool low_included, double high, const std::string& help) {

@@ -34,6 +34,8 @@ std::string header_name(const Option& option);
 
 /// Rows for common kinds of values. `value` must live as long as the row.
 Option integer_option(const std::string& flag, int& value, int low, int high, const std::string& help);
+/// An integer from `low` to `high`, or auto, which is -1: no limit. Not given: the scene's max_depth.
+Option endless_option(const std::string& flag, int& value, int low, int high, const std::string& help);
 /// Above `low`, or from it on if `low_included`, up to `high`.
 Option real_option(const std::string& flag, double& value, double low, bool low_included, double high, const std::string& help);
 Option resolution_option(int& width, int& height, const std::string& otherwise);

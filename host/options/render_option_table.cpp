@@ -4,8 +4,10 @@
 
 #include <limits>
 #include <stdexcept>
+#include <variant>
 
 #include "options/option_values.h"
+#include "util/error.h"
 
 namespace pencil {
 
@@ -32,19 +34,6 @@ Option pencils_row(int& pencils) {
     Option row = integer_option("--pencils", pencils, 1, many, "Pencils of the first set; surface: of the world set of the first pass");
     row.standard = fmt::format("{}; line: {}", standard_pencils(MethodName::surface), standard_pencils(MethodName::line));
     return row;
-}
-
-Option bounces_row(int& bounces) {
-    return {"--bounces",
-            "K",
-            fmt::format("auto, 0 to {}", most_bounces),
-            "the scene's max_depth",
-            "Reflections at most: 0 emission only, 1 direct light only; auto: until --tolerance",
-            "",
-            [&bounces](const std::string& text) {
-                bounces = text == "auto" ? endless_bounces : static_cast<int>(parse_integer(text, 0, most_bounces));
-            },
-            [&bounces] { return bounces < 0 ? OptionValue(std::string("auto")) : OptionValue(std::int64_t{bounces}); }};
 }
 
 Option map_row(int& map) {
@@ -89,6 +78,36 @@ Option time_row(double& seconds) {
 
 std::string to_string(MethodName method) { return methods[static_cast<std::size_t>(method)]; }
 
+namespace {
+
+/// A value as the command line would spell it.
+struct Spell {
+    std::string operator()(std::monostate) const { return ""; }
+    std::string operator()(double value) const { return format_real(value); }
+    std::string operator()(const std::string& value) const { return value; }
+    std::string operator()(const std::vector<std::string>& values) const {
+        return values.empty() ? "none" : fmt::format("{}", fmt::join(values, ","));
+    }
+    template <typename Integer>
+    std::string operator()(Integer value) const {
+        return std::to_string(value);
+    }
+};
+
+}  // namespace
+
+void check_options(RenderOptions options) {
+    for (const Option& row : render_option_table(options)) {
+        const OptionValue value = row.show();
+        if (std::holds_alternative<std::monostate>(value)) continue;
+        try {
+            row.read(std::visit(Spell(), value));
+        } catch (const std::invalid_argument& error) {
+            throw UsageError(fmt::format("{}: {}", row.flag, error.what()));
+        }
+    }
+}
+
 std::vector<Option> render_option_table(RenderOptions& o) {
     constexpr MethodName line = MethodName::line, surface = MethodName::surface;
     return {
@@ -99,7 +118,8 @@ std::vector<Option> render_option_table(RenderOptions& o) {
                                   "Passes until the estimated relMSE is at most this, at least two")),
         pencils_row(o.pencils),
         only(line, real_option("--decay", o.decay, 0, false, 1, "Size of each further set relative to the last")),
-        bounces_row(o.bounces),
+        endless_option("--bounces", o.bounces, 0, most_bounces,
+                       "Reflections at most: 0 emission only, 1 direct light only; auto: until --tolerance"),
         real_option("--tolerance", o.tolerance, 0, false, 1,
                     "Stop when a bounce adds less than this share; the rest is estimated and reported"),
         only(line, map_row(o.map)),

@@ -10,11 +10,10 @@ namespace {
 int orders_of(int max_depth) { return max_depth < 0 ? most_orders : std::clamp(max_depth, 1, most_orders); }
 
 std::string order_name(int order, int max_depth) {
-    if (order == 0) return "emission";
-    if (order == 1) return "direct";
+    if (order == 0) return emission_layer;
     // The last slot holds all further orders, or just one if the depth ends there.
     if (order == most_orders - 1 && max_depth != most_orders) return tail_layer(order);
-    return "bounce" + std::to_string(order);
+    return bounce_layer(order);
 }
 
 /// An image with `value(pixel)` in each pixel that has a sample, 0 elsewhere.
@@ -89,26 +88,26 @@ void FilmSums::add_surface_layers(const std::vector<int>& samples, const RayScen
     const auto mean = [&](glm::vec3 SurfaceSums::*field, std::size_t i) {
         return glm::dvec3(surfaces_[i].*field) / static_cast<double>(samples[i]);
     };
-    layers.push_back(make_layer("albedo", samples, [&](std::size_t i) { return mean(&SurfaceSums::albedo, i); }));
-    Layer position = make_layer("position", samples, [&](std::size_t i) {
+    layers.push_back(make_layer(albedo_layer, samples, [&](std::size_t i) { return mean(&SurfaceSums::albedo, i); }));
+    Layer position = make_layer(position_layer, samples, [&](std::size_t i) {
         const SurfaceSums& s = surfaces_[i];
         return s.weight > 0 ? scene.to_world(glm::dvec3(s.position) / static_cast<double>(s.weight)) : glm::dvec3(0);
     });
-    Layer depth{"depth", 1, std::vector<float>(samples.size(), 0.0F)};
+    Layer depth{depth_layer, 1, std::vector<float>(samples.size(), 0.0F)};
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const glm::dvec3 p(position.pixels[3 * i], position.pixels[3 * i + 1], position.pixels[3 * i + 2]);
         if (surfaces_[i].weight > 0) depth.pixels[i] = static_cast<float>(glm::distance(p, eye));
     }
     layers.push_back(std::move(depth));
     layers.push_back(std::move(position));
-    layers.push_back(make_layer("normal", samples, [&](std::size_t i) { return mean(&SurfaceSums::normal, i); }));
+    layers.push_back(make_layer(normal_layer, samples, [&](std::size_t i) { return mean(&SurfaceSums::normal, i); }));
 }
 
 /// For independent sets s of n_s samples with means m_s, each with variance sigma^2 / n_s: the mean over all N = sum n_s samples has the
 /// variance sigma^2 / N, and sigma^2 is estimated without bias by sum n_s (m_s - m)^2 / (sets - 1).
 Layer FilmSums::variance(const std::vector<int>& samples, const std::vector<int>& sets) const {
     return make_layer(
-        "variance", samples,
+        variance_layer, samples,
         [&](std::size_t i) {
             if (sets[i] < 2) return glm::dvec3(0);
             const double n = samples[i];

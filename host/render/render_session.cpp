@@ -6,6 +6,7 @@
 
 #include "film/film.h"
 #include "film/render_context.h"
+#include "options/render_option_table.h"
 #include "render/explain.h"
 #include "render/methods.h"
 #include "util/error.h"
@@ -13,15 +14,6 @@
 namespace pencil {
 
 namespace {
-
-/// Limits of the kernels' 32-bit indices and layouts, for callers that bypass the command line.
-void check_options(const RenderOptions& options) {
-    if (options.map < 8 || options.map % 8 != 0) throw UsageError(fmt::format("the map size must be a multiple of 8, not {}", options.map));
-    if (options.film_samples < 1 || options.film_samples > 64)
-        throw UsageError(fmt::format("film samples must be 1 to 64, not {}", options.film_samples));
-    if (options.pencils < 1 || options.decay <= 0 || options.decay > 1)
-        throw UsageError("at least one pencil and a decay in (0, 1] are needed");
-}
 
 void check_memory(const RenderOptions& options, const Device& device) {
     const double bytes = film_bytes(static_cast<double>(options.width) * options.height, options.film_samples);
@@ -34,7 +26,7 @@ void check_memory(const RenderOptions& options, const Device& device) {
 
 RenderOptions checked(const RenderOptions& options, const Scene& scene, const Device& device) {
     RenderOptions complete = resolve(options, scene);
-    check_options(complete);
+    check_options(complete);  // the kernels rely on these limits, whoever calls
     check_memory(complete, device);
     return complete;
 }

@@ -52,8 +52,8 @@ constexpr int most_passes = 1 << 14;
 /// Layers of light: those of surfaces hardly gain from further passes.
 std::vector<std::string> light_layers(const std::vector<std::string>& aovs) {
     std::vector<std::string> layers;
-    for (const char* name : {"emission", "direct", "bounces"})
-        if (has_group(aovs, name)) layers.push_back(name);
+    for (const std::string& group : light_groups())
+        if (has_group(aovs, group)) layers.push_back(group);
     return layers;
 }
 

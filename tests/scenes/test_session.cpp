@@ -1,9 +1,11 @@
 // A session a step at a time: what a client sees between the steps, and what is left when it stops.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "scenes/known_scenes.h"
 #include "scenes/scene_builder.h"
+#include "util/error.h"
 
 namespace pencil::test {
 namespace {
@@ -102,6 +104,28 @@ TEST(SessionOfPasses, NothingFollowsTheEnd) {
     EXPECT_FALSE(session.advance());
     EXPECT_TRUE(session.snapshot().empty());
     EXPECT_FALSE(std::isfinite(session.estimated_error()));
+}
+
+TEST(SessionOptions, AreCheckedByTheTable) {
+    const Scene scene = furnace(0.5F);
+    const auto refused = [&](const std::function<void(RenderOptions&)>& change, const std::string& reason) {
+        RenderOptions options = small_options(MethodName::line);
+        change(options);
+        try {
+            RenderSession session(scene, options, device());
+            ADD_FAILURE() << reason << " was not refused";
+        } catch (const UsageError& error) {
+            EXPECT_NE(std::string(error.what()).find(reason), std::string::npos) << error.what();
+        }
+    };
+    refused([](RenderOptions& o) { o.map = 12; }, "--map: \"12\" is not a multiple of 8");
+    refused([](RenderOptions& o) { o.film_samples = 65; }, "--film-samples");
+    refused([](RenderOptions& o) { o.light_samples = 0; }, "--light-samples");
+    refused([](RenderOptions& o) { o.pencils = -1; }, "--pencils");
+    refused([](RenderOptions& o) { o.decay = std::nan(""); }, "--decay");
+    refused([](RenderOptions& o) { o.tolerance = 0; }, "--tolerance");
+    refused([](RenderOptions& o) { o.placement.clear(); }, "--placement");
+    refused([](RenderOptions& o) { o.aovs = {"colour"}; }, "--aov");
 }
 
 TEST(SessionOptions, AreSettledByMethodAndScene) {
