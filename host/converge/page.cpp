@@ -112,7 +112,7 @@ std::string page_html(const Report& report, const std::string& plots_missing) {
     add_methods(page, report);
     if (!report.methods.empty()) add_measurements(page, report, plots_missing.empty());
     kainjow::mustache::mustache html(page_template);
-    const std::string text = html.render(page);
+    std::string text = html.render(page);
     if (!html.is_valid()) throw std::logic_error("page.html.mustache: " + html.error_message());
     return text;
 }

@@ -68,7 +68,7 @@ private:
     static std::vector<int> uv_columns(const PlyElement& element) {
         for (const auto& names :
              {std::array{"u", "v"}, std::array{"s", "t"}, std::array{"texture_u", "texture_v"}, std::array{"texture_s", "texture_t"}}) {
-            const std::vector<int> found = columns(element, {names[0], names[1]});
+            std::vector<int> found = columns(element, {names[0], names[1]});
             if (!found.empty()) return found;
         }
         return {};
@@ -138,7 +138,8 @@ private:
 
     std::uint64_t list_length(const PlyProperty& property) {
         const double length = source_.read(property.count_type);
-        if (!(length >= 0.0 && length <= static_cast<double>(source_.left_for_list() / Source::least_bytes(property.type))))
+        const std::uint64_t most = source_.left_for_list() / Source::least_bytes(property.type);  // whole entries
+        if (!(length >= 0.0 && length <= static_cast<double>(most)))
             source_.fail("a list has an impossible length");
         return static_cast<std::uint64_t>(length);
     }
