@@ -4,7 +4,7 @@
 namespace pencil::bench {
 namespace {
 
-constexpr const char* kKernelFile = PENCIL_SOURCE_DIR "/tests/bench/octahedral_lookup.cl";
+constexpr const char* kernel_file = PENCIL_SOURCE_DIR "/tests/bench/octahedral_lookup.cl";
 
 std::vector<float> components(const std::vector<float4>& texels) {
     std::vector<float> out;
@@ -32,7 +32,7 @@ void lookup(benchmark::State& state) {
         [&] {
             const Kernels& kernels = bench.kernels;
             bench.kernels.cache()
-                .kernel("octahedral_lookup", kKernelFile, {{"PENCIL_BLOCK", std::to_string(kernels.block())}})
+                .kernel("octahedral_lookup", kernel_file, {{"PENCIL_BLOCK", std::to_string(kernels.block())}})
                 .args(position[0], position[1], position[2], count, bench.set.maps->cops, tiles, maps.n, bench.set.radiance, sum)
                 .run(kernels.blocks(count), "octahedral look-up");
         },

@@ -12,13 +12,13 @@ void cover_film(const LatticeView& film, float most_error, unsigned char* uncove
                 for (int i = film.first[pixel]; i < film.first[pixel] + (film.counts[pixel] & FILM_COUNT_MASK); ++i) {
                     if (!uncovered[i]) continue;
                     const Vec3 x = vector_at(film.surfels, SURFEL_X, i), n = vector_at(film.surfels, SURFEL_NX, i);
-                    float least = kInfinite;
+                    float least = infinite;
                     visit_corners(
                         film, pixel % film.width, pixel / film.width,
                         [&](int p, int, int, int) {
                             if (least <= most_error) return;
                             const float distance = reuse_distance(film.pencils[p], x, n);
-                            if (distance < kInfinite) least = std::min(least, reuse_error(film.pencils[p], distance, n));
+                            if (distance < infinite) least = std::min(least, reuse_error(film.pencils[p], distance, n));
                         });
                     uncovered[i] = least > most_error ? 1 : 0;
                 }

@@ -15,7 +15,7 @@ void emit_hemispheres(const SceneView& scene, const SurfelsView& surfels, const 
                 const float4& emission = scene.materials[m].emission;
                 if (!(emission.x > 0.0F || emission.y > 0.0F || emission.z > 0.0F)) continue;
                 const Vec3 step = vector_at(surfels, SURFEL_X, i) - xyz(pencils[i / (n * n)].position);
-                const float share = near_area[m] < kInfinite ? near_area[m] / (dot(step, step) + near_area[m]) : 1.0F;
+                const float share = near_area[m] < infinite ? near_area[m] / (dot(step, step) + near_area[m]) : 1.0F;
                 for (int c = 0; c < 3; ++c) radiance.channel(c)[i] += share * emission[c];
             }
         });

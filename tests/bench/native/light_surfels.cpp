@@ -5,8 +5,8 @@
 namespace pencil::native {
 namespace {
 
-constexpr int kBlock = 128;
-constexpr float kInversePi = 0.318309886F;
+constexpr int block_lanes = 128;
+constexpr float inverse_pi = 0.318309886F;
 
 struct Irradiance {
     vfloat r, g, b;
@@ -37,12 +37,12 @@ inline void add_sample(const SurfelVectors& s, const TileView& tile, const Light
 
 void light_surfels(const SceneView& scene, const SurfelsView& surfels, const LightSample* samples, const MapsView& maps, RgbView outgoing) {
     parallel_blocks(
-        surfels.count, kBlock,
+        surfels.count, block_lanes,
         [&](int first, int) {
-            constexpr int packets = kBlock / kLanes;
+            constexpr int packets = block_lanes / lane_count;
             SurfelVectors s[packets];
             Irradiance e[packets] = {};
-            for (int p = 0; p < packets; ++p) s[p] = load_surfels(surfels, first + p * kLanes);
+            for (int p = 0; p < packets; ++p) s[p] = load_surfels(surfels, first + p * lane_count);
             for (int i = 0; i < maps.count; ++i) {
                 const TileView tile(scene, maps, i);
                 Aimed aimed[packets];
@@ -50,11 +50,11 @@ void light_surfels(const SceneView& scene, const SurfelsView& surfels, const Lig
                 for (int p = 0; p < packets; ++p) add_sample(s[p], tile, samples[i], aimed[p], e[p]);
             }
             for (int p = 0; p < packets; ++p) {
-                const int at = first + p * kLanes;
+                const int at = first + p * lane_count;
                 const vfloat irradiance[3] = {e[p].r, e[p].g, e[p].b};
                 for (int c = 0; c < 3; ++c) {
                     float* out = outgoing.channel(c) + at;
-                    store(load<vfloat>(out) + kInversePi * irradiance[c] * load<vfloat>(surfels.field(SURFEL_ALBEDO_R + c) + at), out);
+                    store(load<vfloat>(out) + inverse_pi * irradiance[c] * load<vfloat>(surfels.field(SURFEL_ALBEDO_R + c) + at), out);
                 }
             }
         });

@@ -4,7 +4,7 @@
 
 namespace pencil::native {
 
-int grid_lanes() { return kLanes; }
+int grid_lanes() { return lane_count; }
 
 void link_surfels(const SurfelsView& surfels, const SurfacePencil* pencils, const GridView& grid, glm::ivec4* links, float4* weights) {
     parallel_blocks(

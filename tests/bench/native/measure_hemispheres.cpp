@@ -5,10 +5,10 @@
 namespace pencil::native {
 namespace {
 
-constexpr float kTiny = 1e-7F;
+constexpr float tiny = 1e-7F;
 
 struct Nearest {
-    float distance = kInfinite;
+    float distance = infinite;
     int texel = 0, plane = -1;
 };
 
@@ -33,20 +33,20 @@ void measure(const SurfelsView& surfels, int first, int n, SurfacePencil& pencil
         if (plane < 0) continue;
         const Vec3 step = vector_at(surfels, SURFEL_X, first + i) - at;
         const float distance = std::sqrt(dot(step, step));
-        inverse += 1.0F / std::max(distance, kTiny);
+        inverse += 1.0F / std::max(distance, tiny);
         const int x = texel_x(i, n), y = texel_y(i, n);
         if (x > 0 && x < n - 1 && y > 0 && y < n - 1) continue;
         const int sector = ring_sector(static_cast<float>(2 * x + 1 - n), static_cast<float>(2 * y + 1 - n));
         keep(nearest[sector], nearest[sector + RING_SECTORS], {distance, first + i, plane});
     }
-    pencil.position.w = inverse > 0.0F ? static_cast<float>(n * n) / inverse : kInfinite;
+    pencil.position.w = inverse > 0.0F ? static_cast<float>(n * n) / inverse : infinite;
     Vec3 t, b;
     tangent_frame(xyz(pencil.normal), t, b);
     for (int s = 0; s < 2 * RING_SECTORS; ++s) {
         pencil.horizon_x[s] = pencil.horizon_y[s] = 0.0F;
         if (nearest[s].plane < 0) continue;
         const Vec3 g = vector_at(surfels, SURFEL_GX, nearest[s].texel);
-        const float towards = std::min(dot(vector_at(surfels, SURFEL_X, nearest[s].texel) - at, g), -kTiny);
+        const float towards = std::min(dot(vector_at(surfels, SURFEL_X, nearest[s].texel) - at, g), -tiny);
         pencil.horizon_x[s] = dot(g, t) / towards;
         pencil.horizon_y[s] = dot(g, b) / towards;
     }

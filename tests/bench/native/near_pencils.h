@@ -23,7 +23,7 @@ inline vfloat square_root(vfloat v) {
     return _mm512_sqrt_ps(v);
 #else
     vfloat out;
-    for (int l = 0; l < kLanes; ++l) out[l] = std::sqrt(v[l]);
+    for (int l = 0; l < lane_count; ++l) out[l] = std::sqrt(v[l]);
     return out;
 #endif
 }
@@ -36,22 +36,22 @@ inline NearPencils near_pencils(const SurfacePencil* pencils, const GridView& gr
     const int cell = (along(x.z, g.low.z, g.low.w, g.size_z) * g.size_y + along(x.y, g.low.y, g.low.w, g.size_y)) * g.size_x +
                      along(x.x, g.low.x, g.low.w, g.size_x);
     NearPencils near;
-    float least = kInfinite;
+    float least = infinite;
     int last = -1;
     for (int e = grid.starts[cell]; e < grid.starts[cell + 1]; ++e) {
-        const float* block = grid.entries + static_cast<std::size_t>(e) * ENTRY_FIELDS * kLanes;
-        const auto field = [&](int f) { return load<vfloat>(block + f * kLanes); };
+        const float* block = grid.entries + static_cast<std::size_t>(e) * ENTRY_FIELDS * lane_count;
+        const auto field = [&](int f) { return load<vfloat>(block + f * lane_count); };
         const vfloat sx = x.x - field(ENTRY_X), sy = x.y - field(ENTRY_Y), sz = x.z - field(ENTRY_Z), radius = field(ENTRY_RADIUS);
         const vfloat nx = field(ENTRY_NX), ny = field(ENTRY_NY), nz = field(ENTRY_NZ);
         const vfloat distance = square_root(sx * sx + sy * sy + sz * sz), cosine = nx * n.x + ny * n.y + nz * n.z;
         const vfloat rise = sx * (nx + n.x) + sy * (ny + n.y) + sz * (nz + n.z);
-        const unsigned reached = lane_mask((distance < radius) & (cosine >= kLeastCosine));
+        const unsigned reached = lane_mask((distance < radius) & (cosine >= least_cosine));
         if (reached == 0) continue;
-        const unsigned level = reached & lane_mask(absolute(rise) <= 2.0F * kMostSlope * distance + kNoStep);
+        const unsigned level = reached & lane_mask(absolute(rise) <= 2.0F * most_slope * distance + no_step);
         const vfloat closeness = maximum((radius - distance) / (radius * radius), broadcast(0.0F)), weight = closeness * closeness * cosine;
         const auto pencil_at = [&](int l) {
             int index = 0;
-            std::memcpy(&index, block + ENTRY_PENCIL * kLanes + l, sizeof index);
+            std::memcpy(&index, block + ENTRY_PENCIL * lane_count + l, sizeof index);
             return index;
         };
         for (unsigned rest = level; rest != 0; rest &= rest - 1) {

@@ -13,12 +13,12 @@ inline float4v positive(float4v v) {
 /// What the fits about pixel (px, py) say at x.
 inline float4v irradiance_at(const LatticeView& film, const float4* fits, float most_error, int px, int py, const Vec3& x, const Vec3& n) {
     float4v sum{}, last{};
-    float weights = 0.0F, least = kInfinite;
+    float weights = 0.0F, least = infinite;
     visit_corners(film, px, py, [&](int index, int cx, int cy, int spacing) {
         const SurfacePencil& p = film.pencils[index];
         const float4* fit = fits + 3 * static_cast<std::size_t>(index);
         const float distance = reuse_distance(p, x, n);
-        const float error = distance < kInfinite ? std::max(reuse_error(p, distance, n), 0.02F * most_error) : kInfinite;
+        const float error = distance < infinite ? std::max(reuse_error(p, distance, n), 0.02F * most_error) : infinite;
         const float scale = 1.0F / static_cast<float>(spacing);
         const float tent = std::max(1.0F - static_cast<float>(std::abs(cx - px)) * scale, 0.0F) *
                            std::max(1.0F - static_cast<float>(std::abs(cy - py)) * scale, 0.0F);

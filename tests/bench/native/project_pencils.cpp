@@ -8,11 +8,11 @@
 namespace pencil::native {
 namespace {
 
-constexpr int kBlock = 128;
+constexpr int block_lanes = 128;
 
 struct Sums {
-    float4v light[kBlock];  // rgb: sum of L cos/D; w: sum of cos/D
-    int seen[kBlock];
+    float4v light[block_lanes];  // rgb: sum of L cos/D; w: sum of cos/D
+    int seen[block_lanes];
 };
 
 /// Adds one texel with weight cosine / D.
@@ -23,8 +23,8 @@ inline void add_texel(float4v texel, float cosine, float4v& light) {
 
 /// What a block sees of one tile.
 struct SeenList {
-    alignas(64) int surfel[kBlock + kLanes], index[kBlock + kLanes];
-    alignas(64) float fx[kBlock + kLanes], fy[kBlock + kLanes], cosine[kBlock + kLanes];
+    alignas(64) int surfel[block_lanes + lane_count], index[block_lanes + lane_count];
+    alignas(64) float fx[block_lanes + lane_count], fy[block_lanes + lane_count], cosine[block_lanes + lane_count];
     int count = 0;
 };
 
@@ -36,7 +36,7 @@ inline void aim(const SurfelVectors& s, const TileView& tile, const float4* texe
     if (out.faces == 0) return;
     aim_at(tile, vx, vy, vz, out);
     out.weight = towards * reciprocal_sqrt(vx * vx + vy * vy + vz * vz);
-    for (int l = 0; l < kLanes; l += 2) {
+    for (int l = 0; l < lane_count; l += 2) {
         __builtin_prefetch(texels + out.index[l]);
         __builtin_prefetch(texels + out.index[l] + PENCIL_TILE_STRIDE(tile.n));
     }
@@ -55,10 +55,10 @@ inline void look(const SurfelVectors& s, const TileView& tile, const Aimed& aime
 
 /// Adds one pencil to the sums of a block.
 inline void project(const SurfelVectors* packets, const TileView& tile, const float4* texels, Sums& sums) {
-    Aimed aimed[kBlock / kLanes];
+    Aimed aimed[block_lanes / lane_count];
     SeenList list;
-    for (int p = 0; p < kBlock / kLanes; ++p) aim(packets[p], tile, texels, aimed[p]);
-    for (int p = 0; p < kBlock / kLanes; ++p) look(packets[p], tile, aimed[p], p * kLanes, list);
+    for (int p = 0; p < block_lanes / lane_count; ++p) aim(packets[p], tile, texels, aimed[p]);
+    for (int p = 0; p < block_lanes / lane_count; ++p) look(packets[p], tile, aimed[p], p * lane_count, list);
     const int stride = PENCIL_TILE_STRIDE(tile.n);
     for (int k = 0; k < list.count; ++k) {
         add_texel(fetch(texels + list.index[k], stride, list.fx[k], list.fy[k]), list.cosine[k], sums.light[list.surfel[k]]);
@@ -80,10 +80,10 @@ void finish(const SurfelsView& surfels, const Sums& sums, int first, int last, R
 void project_pencils(const SceneView& scene, const SurfelsView& surfels, const MapsView& maps, const float4* radiance, RgbView outgoing,
                      int* visible) {
     parallel_blocks(
-        surfels.count, kBlock,
+        surfels.count, block_lanes,
         [&](int first, int last) {
-            SurfelVectors s[kBlock / kLanes];
-            for (int p = 0; p < kBlock / kLanes; ++p) s[p] = load_surfels(surfels, first + p * kLanes);
+            SurfelVectors s[block_lanes / lane_count];
+            for (int p = 0; p < block_lanes / lane_count; ++p) s[p] = load_surfels(surfels, first + p * lane_count);
             alignas(64) Sums sums{};
             for (int i = 0; i < maps.count; ++i) {
                 const TileView tile(scene, maps, i);

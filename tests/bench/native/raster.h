@@ -31,9 +31,9 @@ struct RasterTarget {
     std::vector<int> triangle;
     int stride = 0;
     RasterTarget(int width, int height)
-        : disparity(static_cast<std::size_t>(width + kLanes) * static_cast<std::size_t>(height)),
+        : disparity(static_cast<std::size_t>(width + lane_count) * static_cast<std::size_t>(height)),
           triangle(disparity.size()),
-          stride(width + kLanes) {}
+          stride(width + lane_count) {}
     void clear() {
         std::fill(disparity.begin(), disparity.end(), 0.0F);
         std::fill(triangle.begin(), triangle.end(), -1);
@@ -52,7 +52,7 @@ inline void raster_row(const RasterTriangle& t, int triangle, float u0, float du
     const vfloat lanes = __builtin_convertvector(lane_numbers(), vfloat);
     float* disparity = target.disparity.data() + y * target.stride;
     int* triangles = target.triangle.data() + y * target.stride;
-    for (int x = first; x <= last; x += kLanes) {
+    for (int x = first; x <= last; x += lane_count) {
         const vfloat u = (lanes + static_cast<float>(x)) * du + u0;
         const vfloat inside = minimum(minimum(t.a[0] * u + base[0], t.a[1] * u + base[1]), t.a[2] * u + base[2]);
         const vfloat w = t.a[3] * u + base[3], before = load<vfloat>(disparity + x);

@@ -7,8 +7,8 @@
 namespace pencil::native {
 namespace {
 
-constexpr float kSlack = 1e-2F, kNearest = 1e-6F;
-constexpr int kBand = 8;  // rows drawn at once
+constexpr float slack = 1e-2F, least_ahead = 1e-6F;
+constexpr int sample_band = 8;  // rows drawn at once
 
 struct Box {
     float x0 = INFINITY, y0 = INFINITY, x1 = -INFINITY, y1 = -INFINITY;
@@ -34,10 +34,10 @@ Box film_box(const float4v* p, const float4* to_film) {
     for (int i = 0; i < 3; ++i) {
         const float4v a = p[i], b = p[(i + 1) % 3];
         const float da = dot3(rz, a), db = dot3(rz, b);
-        if (da >= kNearest) box.add(dot3(rx, a) / da, dot3(ry, a) / da);
-        if ((da >= kNearest) != (db >= kNearest)) {
-            const float4v c = a + (b - a) * ((kNearest - da) / (db - da));
-            box.add(dot3(rx, c) / kNearest, dot3(ry, c) / kNearest);
+        if (da >= least_ahead) box.add(dot3(rx, a) / da, dot3(ry, a) / da);
+        if ((da >= least_ahead) != (db >= least_ahead)) {
+            const float4v c = a + (b - a) * ((least_ahead - da) / (db - da));
+            box.add(dot3(rx, c) / least_ahead, dot3(ry, c) / least_ahead);
         }
     }
     return box;
@@ -48,7 +48,7 @@ std::vector<Projected> project_scene(const SceneView& scene, float4v eye, const 
     for (int i = 0; i < scene.triangle_count; ++i) {
         const Triangle& t = scene.triangles[i];
         const float ahead = plane_ahead(scene.planes[t.plane], eye);
-        if (std::abs(ahead) < kPlaneTolerance) continue;
+        if (std::abs(ahead) < plane_tolerance) continue;
         const float4v p[3] = {load_point(t.v0) - eye, load_point(t.v1) - eye, load_point(t.v2) - eye};
         out.push_back({i, p[0], p[1], p[2], film_box(p, to_film), ahead});
     }
@@ -62,9 +62,9 @@ void draw_band(const SceneView& scene, const Camera& camera, const std::vector<P
                             step_y};
     const float shift_x = 0.5F - offset.x, shift_y = 0.5F - offset.y - static_cast<float>(first_row);
     for (const Projected& t : triangles) {
-        const Range ys = raster_range(t.box.y0 + shift_y, t.box.y1 + shift_y, kSlack, bottom - 1);
+        const Range ys = raster_range(t.box.y0 + shift_y, t.box.y1 + shift_y, slack, bottom - 1);
         if (ys.last < top || ys.first > ys.last) continue;
-        const Range xs = raster_range(t.box.x0 + shift_x, t.box.x1 + shift_x, kSlack, camera.width - 1);
+        const Range xs = raster_range(t.box.x0 + shift_x, t.box.x1 + shift_x, slack, camera.width - 1);
         if (xs.first > xs.last) continue;
         const RasterTriangle r = raster_setup(t.p0, t.p1, t.p2, scene.planes[scene.triangles[t.index].plane], t.ahead, frame);
         for (int y = std::max(ys.first, top); y <= ys.last; ++y)
@@ -77,13 +77,13 @@ void draw_band(const SceneView& scene, const Camera& camera, const std::vector<P
 void rasterize_film(const SceneView& scene, const Camera& camera, const float4* to_film, const std::vector<glm::vec2>& offsets,
                     int first_row, int rows, Hit* hits) {
     const std::vector<Projected> triangles = project_scene(scene, load_point(camera.origin), to_film);
-    const int bands = (rows + kBand - 1) / kBand;
+    const int bands = (rows + sample_band - 1) / sample_band;
     const float nearest = camera.near_clip > 0.0F ? 1.0F / camera.near_clip : INFINITY, farthest = 1.0F / camera.far_clip;
     parallel_blocks(bands * static_cast<int>(offsets.size()), 1, [&](int item, int) {
-        thread_local RasterTarget target(camera.width, kBand);
-        if (target.stride != camera.width + kLanes) target = RasterTarget(camera.width, kBand);
+        thread_local RasterTarget target(camera.width, sample_band);
+        if (target.stride != camera.width + lane_count) target = RasterTarget(camera.width, sample_band);
         target.clear();
-        const int sample = item / bands, top = item % bands * kBand, bottom = std::min(top + kBand, rows);
+        const int sample = item / bands, top = item % bands * sample_band, bottom = std::min(top + sample_band, rows);
         draw_band(scene, camera, triangles, offsets[static_cast<std::size_t>(sample)], first_row, top, bottom, target);
         for (int y = top; y < bottom; ++y) {
             Hit* row = hits + (static_cast<std::size_t>(sample) * static_cast<std::size_t>(rows) + static_cast<std::size_t>(y)) *

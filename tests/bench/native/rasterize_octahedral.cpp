@@ -7,7 +7,7 @@
 namespace pencil::native {
 namespace {
 
-constexpr float kBoxSlack = 1e-2F, kBoxTrustedDistance = 1e-2F;
+constexpr float box_slack = 1e-2F, box_trusted_distance = 1e-2F;
 
 struct Octant {
     float4v sign;
@@ -56,7 +56,7 @@ Box octant_box(float4v p0, float4v p1, float4v p2) {
     for (int i = 0; i < count; ++i) {
         const float4v p = corners[i];
         const float norm = std::abs(p[0]) + std::abs(p[1]) + std::abs(p[2]);
-        if (norm < kBoxTrustedDistance) return {0, 0, 1, 1};
+        if (norm < box_trusted_distance) return {0, 0, 1, 1};
         const float x = p[0] / norm, y = p[1] / norm;
         box = {std::min(box.x0, x), std::min(box.y0, y), std::max(box.x1, x), std::max(box.y1, y)};
     }
@@ -67,8 +67,8 @@ void draw(const RasterTriangle& t, int triangle, const Octant& octant, Box box, 
     const int half = n / 2;
     const auto size = static_cast<float>(half);
     if (!octant.front) box = {1 - box.y1, 1 - box.x1, 1 - box.y0, 1 - box.x0};
-    const Range ku = raster_range(box.x0 * size, box.x1 * size, kBoxSlack, half - 1);
-    const Range kv = raster_range(box.y0 * size, box.y1 * size, kBoxSlack, half - 1);
+    const Range ku = raster_range(box.x0 * size, box.x1 * size, box_slack, half - 1);
+    const Range kv = raster_range(box.y0 * size, box.y1 * size, box_slack, half - 1);
     const float du = 2.0F / static_cast<float>(n), u0 = 1.0F / static_cast<float>(n) - 1.0F;
     for (int k = kv.first; k <= kv.last; ++k) {
         const int k0 = octant.front ? ku.first : std::max(ku.first, half - k);
@@ -82,7 +82,7 @@ void draw(const RasterTriangle& t, int triangle, const Octant& octant, Box box, 
 void draw_triangle(const Triangle& triangle, int index, const float4& plane, float4v cop, const Octant* octants, int n,
                    RasterTarget& target) {
     const float ahead = plane_ahead(plane, cop);
-    if (std::abs(ahead) < kPlaneTolerance) return;
+    if (std::abs(ahead) < plane_tolerance) return;
     const float4v p0 = load_point(triangle.v0) - cop, p1 = load_point(triangle.v1) - cop, p2 = load_point(triangle.v2) - cop;
     for (int k = 0; k < 8; ++k) {
         const Octant& octant = octants[k];
@@ -102,7 +102,7 @@ void rasterize_octahedral(const SceneView& scene, const float4* cops, int count,
     const auto texels = static_cast<std::size_t>(PENCIL_TILE_TEXELS(n));
     parallel_blocks(count, 1, [&](int tile, int) {
         thread_local RasterTarget target(n, n);
-        if (target.stride != n + kLanes) target = RasterTarget(n, n);
+        if (target.stride != n + lane_count) target = RasterTarget(n, n);
         target.clear();
         for (int i = 0; i < scene.triangle_count; ++i) {
             const Triangle& triangle = scene.triangles[i];

@@ -8,8 +8,8 @@
 namespace pencil::native {
 
 struct Rays {
-    vfloat x, y, z, ix, iy, iz;                          // directions and their reciprocals, finite
-    vfloat disparity{}, nearest = broadcast(kInfinite);  // 1/t and t of what was met
+    vfloat x, y, z, ix, iy, iz;                         // directions and their reciprocals, finite
+    vfloat disparity{}, nearest = broadcast(infinite);  // 1/t and t of what was met
     vint triangle = broadcast(-1);
 
     Rays(vfloat dx, vfloat dy, vfloat dz) : x(dx), y(dy), z(dz), ix(reciprocal(dx)), iy(reciprocal(dy)), iz(reciprocal(dz)) {}
@@ -85,10 +85,10 @@ inline unsigned unhidden(const SurfelVectors& s, float4v cop, const SceneView& s
                 const Triangle& t = scene.triangles[bvh.leaves[i]];
                 const float4& plane = scene.planes[t.plane];
                 const float ahead = plane_ahead(plane, cop);
-                if (std::abs(ahead) < kPlaneTolerance) continue;
+                if (std::abs(ahead) < plane_tolerance) continue;
                 const float side = ahead > 0.0F ? 1.0F : -1.0F;
                 const vfloat behind = side * (plane.w - (plane.x * s.x + plane.y * s.y + plane.z * s.z));
-                const unsigned crossing = open & lane_mask((behind <= -kPlaneTolerance) & (s.plane != t.plane));
+                const unsigned crossing = open & lane_mask((behind <= -plane_tolerance) & (s.plane != t.plane));
                 if (crossing != 0) open &= ~(crossing & lane_mask(through_triangle(r, t, cop, side)));
             }
         }

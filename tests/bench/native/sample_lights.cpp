@@ -6,19 +6,19 @@
 namespace pencil::native {
 namespace {
 
-constexpr int kMostVectors = 16 / kLanes + 1;  // of a packet of at most 16 surfels
-constexpr float kInversePi = 0.318309886F;
+constexpr int most_vectors = 16 / lane_count + 1;  // of a packet of at most 16 surfels
+constexpr float inverse_pi = 0.318309886F;
 
 /// Surfels that draw together: their first lanes in vectors, the others masked.
 struct Packet {
-    SurfelVectors s[kMostVectors];
-    vint mask[kMostVectors];
+    SurfelVectors s[most_vectors];
+    vint mask[most_vectors];
     int first, vectors;
 
-    Packet(const SurfelsView& surfels, int first_surfel, int width) : first(first_surfel), vectors((width + kLanes - 1) / kLanes) {
+    Packet(const SurfelsView& surfels, int first_surfel, int width) : first(first_surfel), vectors((width + lane_count - 1) / lane_count) {
         for (int k = 0; k < vectors; ++k) {
-            s[k] = load_surfels(surfels, first + k * kLanes);
-            mask[k] = lane_numbers() < width - k * kLanes;
+            s[k] = load_surfels(surfels, first + k * lane_count);
+            mask[k] = lane_numbers() < width - k * lane_count;
         }
     }
 };
@@ -35,7 +35,7 @@ inline vfloat sample_weight(const SurfelVectors& s, const LightSample& light, vi
 
 inline float sum_of(vfloat v) {
     float sum = 0.0F;
-    for (int l = 0; l < kLanes; ++l) sum += v[l];
+    for (int l = 0; l < lane_count; ++l) sum += v[l];
     return sum;
 }
 
@@ -51,12 +51,12 @@ inline void add(const Packet& p, const SceneView& scene, const BvhView& bvh, con
         const vfloat weight = sample_weight(p.s[k], light, p.mask[k]);
         const unsigned lit = unhidden(p.s[k], load_point(light.position), scene, bvh, lane_mask(weight > 0.0F));
         if (lit == 0) continue;
-        const vfloat e = floats(bits(weight) & lanes_of(lit)) * (scale * kInversePi);
-        const int at = p.first + k * kLanes;
+        const vfloat e = floats(bits(weight) & lanes_of(lit)) * (scale * inverse_pi);
+        const int at = p.first + k * lane_count;
         for (int c = 0; c < 3; ++c) {
             float* out = outgoing.channel(c) + at;
             const float* albedo = surfels.field(SURFEL_ALBEDO_R + c) + at;
-            for (int l = 0; l < kLanes; ++l)
+            for (int l = 0; l < lane_count; ++l)
                 if ((lit >> l & 1U) != 0) out[l] += e[l] * light.emission[c] * albedo[l];
         }
     }

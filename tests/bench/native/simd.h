@@ -11,14 +11,14 @@
 namespace pencil::native {
 
 #ifdef __AVX512F__
-constexpr int kLanes = 16;
+constexpr int lane_count = 16;
 #else
-constexpr int kLanes = 8;
+constexpr int lane_count = 8;
 #endif
-constexpr unsigned kAllLanes = (1U << kLanes) - 1U;
+constexpr unsigned all_lanes_set = (1U << lane_count) - 1U;
 
-typedef float vfloat __attribute__((vector_size(4 * kLanes)));
-typedef int vint __attribute__((vector_size(4 * kLanes)));
+typedef float vfloat __attribute__((vector_size(4 * lane_count)));
+typedef int vint __attribute__((vector_size(4 * lane_count)));
 typedef float float8v __attribute__((vector_size(32)));
 typedef float float4v __attribute__((vector_size(16)));
 typedef int int4v __attribute__((vector_size(16)));
@@ -44,7 +44,7 @@ inline vfloat copy_sign(vfloat magnitude, vfloat sign) { return floats((bits(mag
 
 inline vint lane_numbers() {
     vint lanes;
-    for (int l = 0; l < kLanes; ++l) lanes[l] = l;
+    for (int l = 0; l < lane_count; ++l) lanes[l] = l;
     return lanes;
 }
 
@@ -78,17 +78,17 @@ inline vfloat maximum(vfloat a, vfloat b) { return a > b ? a : b; }
 inline vfloat minimum(vfloat a, vfloat b) { return a < b ? a : b; }
 inline unsigned lane_mask(vint mask) {
     unsigned out = 0;
-    for (int l = 0; l < kLanes; ++l) out |= mask[l] != 0 ? 1U << l : 0U;
+    for (int l = 0; l < lane_count; ++l) out |= mask[l] != 0 ? 1U << l : 0U;
     return out;
 }
 inline vfloat reciprocal_sqrt(vfloat v) {
     vfloat root;
-    for (int l = 0; l < kLanes; ++l) root[l] = __builtin_sqrtf(v[l]);
+    for (int l = 0; l < lane_count; ++l) root[l] = __builtin_sqrtf(v[l]);
     return 1.0F / root;
 }
 inline void gather_pairs(const void* pairs, const int* index, vint& first, vint& second) {
     const auto* p = static_cast<const int*>(pairs);
-    for (int l = 0; l < kLanes; ++l) {
+    for (int l = 0; l < lane_count; ++l) {
         first[l] = p[2 * index[l]];
         second[l] = p[2 * index[l] + 1];
     }

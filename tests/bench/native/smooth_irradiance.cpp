@@ -5,8 +5,8 @@
 namespace pencil::native {
 namespace {
 
-constexpr int kReach = 2;
-constexpr float kHold = 1e-3F;
+constexpr int smooth_reach = 2;
+constexpr float slope_hold = 1e-3F;
 
 /// Sums of weights, of (s, u) and the irradiance, and of their products.
 struct Sums {
@@ -27,7 +27,7 @@ struct Sums {
     void solve(float4* fit) const {
         const float ms = ws / w, mu = wu / w;
         float ss = wss - ms * ws, uu = wuu - mu * wu;
-        const float su = wsu - ms * wu, hold = kHold * (ss + uu) + 1e-12F;
+        const float su = wsu - ms * wu, hold = slope_hold * (ss + uu) + 1e-12F;
         ss += hold;
         uu += hold;
         const float determinant = ss * uu - su * su;
@@ -53,15 +53,15 @@ void smooth_irradiance(const LatticeView& film, const float4* irradiance, float 
                 Vec3 t, b;
                 tangent_frame(n, t, b);
                 Sums sums;
-                for (int dy = -kReach; dy <= kReach; ++dy)
-                    for (int dx = -kReach; dx <= kReach; ++dx) {
+                for (int dy = -smooth_reach; dy <= smooth_reach; ++dy)
+                    for (int dx = -smooth_reach; dx <= smooth_reach; ++dx) {
                         const int px = pixel % film.width + own.spacing * dx, py = pixel / film.width + own.spacing * dy;
                         if (px < 0 || py < 0 || px >= film.width || py >= film.height) continue;
                         const int other = film.at[py * film.width + px];
                         if (other < 0) continue;
                         const SurfacePencil& p = film.pencils[other];
                         const float distance = reuse_distance(p, x, n);
-                        if (distance == kInfinite) continue;
+                        if (distance == infinite) continue;
                         const float error = reuse_error(p, distance, n) + reuse_error(own, distance, n);
                         const Vec3 step = xyz(p.position) - x;
                         sums.add(std::max(1.0F - error / (2.0F * most_error), 0.0F), dot(step, t), dot(step, b), load4(irradiance[other]));

@@ -13,9 +13,9 @@ void sum_hemispheres(RgbView radiance, int count, int n, float4* irradiance) {
             for (int c = 0; c < 3; ++c) {
                 const float* from = radiance.channel(c) + static_cast<std::ptrdiff_t>(p) * texels;
                 vfloat sum{};
-                for (int i = 0; i < texels; i += kLanes) sum += load<vfloat>(from + i);
+                for (int i = 0; i < texels; i += lane_count) sum += load<vfloat>(from + i);
                 rgb[c] = 0.0F;
-                for (int l = 0; l < kLanes; ++l) rgb[c] += sum[l];
+                for (int l = 0; l < lane_count; ++l) rgb[c] += sum[l];
             }
             irradiance[p] = {rgb[0] * scale, rgb[1] * scale, rgb[2] * scale, 0.0F};
         }

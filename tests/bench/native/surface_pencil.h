@@ -37,8 +37,8 @@ inline int ring_sector(float x, float y) { return (x < 0.0F ? 4 : 0) | (y < 0.0F
 inline int texel_x(int i, int n) { return i / 16 % (n / 4) * 4 + i % 4; }
 inline int texel_y(int i, int n) { return i / 16 / (n / 4) * 4 + i % 16 / 4; }
 
-constexpr float kLeastCosine = 0.5F, kMostSlope = 0.4F, kNoStep = 1e-6F, kTurn = 0.5F;
-constexpr float kInfinite = std::numeric_limits<float>::infinity();
+constexpr float least_cosine = 0.5F, most_slope = 0.4F, no_step = 1e-6F, turn = 0.5F;
+constexpr float infinite = std::numeric_limits<float>::infinity();
 
 inline bool clear_horizon(const SurfacePencil& p, const Vec3& step) {
     Vec3 t, b;
@@ -51,14 +51,14 @@ inline bool clear_horizon(const SurfacePencil& p, const Vec3& step) {
 /// Infinite where the pencil may not be used.
 inline float reuse_distance(const SurfacePencil& p, const Vec3& x, const Vec3& n) {
     const Vec3 step = x - xyz(p.position), normal = xyz(p.normal);
-    if (dot(normal, n) < kLeastCosine) return kInfinite;
+    if (dot(normal, n) < least_cosine) return infinite;
     const float distance = std::sqrt(dot(step, step));
-    if (distance < kNoStep) return 0.0F;
-    if (std::abs(dot(step, normal + n)) > 2.0F * kMostSlope * distance) return kInfinite;
-    return clear_horizon(p, step) ? distance : kInfinite;
+    if (distance < no_step) return 0.0F;
+    if (std::abs(dot(step, normal + n)) > 2.0F * most_slope * distance) return infinite;
+    return clear_horizon(p, step) ? distance : infinite;
 }
 inline float reuse_error(const SurfacePencil& p, float distance, const Vec3& n) {
-    return distance / p.position.w + kTurn * std::sqrt(std::max(1.0F - dot(xyz(p.normal), n), 0.0F));
+    return distance / p.position.w + turn * std::sqrt(std::max(1.0F - dot(xyz(p.normal), n), 0.0F));
 }
 
 /// visit(pencil, corner pixel's x and y, spacing) for the pencils at the lattice points about pixel (x, y).

@@ -5,7 +5,7 @@
 namespace pencil::native {
 namespace {
 
-constexpr int kBlock = 128;
+constexpr int block_lanes = 128;
 
 inline void aim(const SurfelVectors& s, const TileView& tile, Aimed& out) {
     const vfloat vx = s.x - tile.cop[0], vy = s.y - tile.cop[1], vz = s.z - tile.cop[2];
@@ -17,11 +17,11 @@ inline void aim(const SurfelVectors& s, const TileView& tile, Aimed& out) {
 
 void test_visibility(const SceneView& scene, const SurfelsView& surfels, const MapsView& maps, uint* mask) {
     parallel_blocks(
-        surfels.count, kBlock,
+        surfels.count, block_lanes,
         [&](int first, int) {
-            constexpr int packets = kBlock / kLanes;
+            constexpr int packets = block_lanes / lane_count;
             SurfelVectors s[packets];
-            for (int p = 0; p < packets; ++p) s[p] = load_surfels(surfels, first + p * kLanes);
+            for (int p = 0; p < packets; ++p) s[p] = load_surfels(surfels, first + p * lane_count);
             for (int word = 0; word * 32 < maps.count; ++word) {
                 vint words[packets] = {};
                 for (int i = 32 * word; i < std::min(32 * word + 32, maps.count); ++i) {
@@ -32,7 +32,7 @@ void test_visibility(const SceneView& scene, const SurfelsView& surfels, const M
                     for (int p = 0; p < packets; ++p) words[p] |= lanes_of(visible_lanes(s[p], tile, aimed[p])) & bit;
                 }
                 for (int p = 0; p < packets; ++p)
-                    store(words[p], mask + static_cast<std::size_t>(word) * surfels.capacity + first + p * kLanes);
+                    store(words[p], mask + static_cast<std::size_t>(word) * surfels.capacity + first + p * lane_count);
             }
         });
 }

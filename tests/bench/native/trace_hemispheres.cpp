@@ -30,9 +30,9 @@ void trace_hemispheres(const SceneView& scene, const BvhView& bvh, const Surface
             Vec3 t, b;
             tangent_frame(normal, t, b);
             const unsigned key = hash_uint(pencil.key + hash_uint(seed));
-            for (int first = 0; first < texels; first += kLanes) {
+            for (int first = 0; first < texels; first += lane_count) {
                 vfloat x, y, z;
-                for (int l = 0; l < kLanes; ++l) {
+                for (int l = 0; l < lane_count; ++l) {
                     const unsigned u = hash_uint(key + static_cast<unsigned>(first + l)), v = hash_uint(u);
                     const Vec3 d = texel_direction(first + l, n, unit(u ^ shift.x), unit(v ^ shift.y));
                     x[l] = d.x * t.x + d.y * b.x + d.z * normal.x;
@@ -42,7 +42,7 @@ void trace_hemispheres(const SceneView& scene, const BvhView& bvh, const Surface
                 Rays rays(x, y, z);
                 trace(rays, origin, pencil.plane, scene, bvh);
                 const vint below = (x * facing.x + y * facing.y + z * facing.z) <= 0.0F;
-                for (int l = 0; l < kLanes; ++l)
+                for (int l = 0; l < lane_count; ++l)
                     write_surfel(scene, {below[l] != 0 ? -1 : rays.triangle[l], rays.disparity[l]}, origin, float4v{x[l], y[l], z[l], 0.0F},
                                  surfels + static_cast<std::ptrdiff_t>(p) * texels + first + l, capacity);
             }

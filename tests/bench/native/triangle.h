@@ -6,7 +6,7 @@
 
 namespace pencil::native {
 
-constexpr float kPlaneTolerance = 1e-6F;
+constexpr float plane_tolerance = 1e-6F;
 
 /// Keeps the compiler from contracting the product into a multiply-add.
 inline void round_here(float4v& v) {

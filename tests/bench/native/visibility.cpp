@@ -10,7 +10,7 @@ bool segment_crosses(const TileView& tile, int index, float4v x) {
     const Triangle* triangle = tile.scene.triangles + index;
     const float4& plane = tile.scene.planes[triangle->plane];
     const float cop_ahead = plane_ahead(plane, tile.cop), x_ahead = plane_ahead(plane, x);
-    if (cop_ahead * x_ahead >= 0.0F || std::abs(x_ahead) < kPlaneTolerance) return false;
+    if (cop_ahead * x_ahead >= 0.0F || std::abs(x_ahead) < plane_tolerance) return false;
     for (int t = -(triangle->mates & 0xff); t <= triangle->mates >> 8; ++t)
         if (line_meets_triangle(triangle[t], tile.cop, x - tile.cop, cop_ahead > 0.0F ? 1.0F : -1.0F)) return true;
     return false;
@@ -26,9 +26,9 @@ float hiding_weight(const TileView& tile, Texel corner, float fx, float fy, floa
         if (hit.triangle < 0) continue;
         const float4& plane = tile.scene.planes[tile.scene.triangles[hit.triangle].plane];
         const float x_ahead = plane_ahead(plane, x);
-        if (plane_ahead(plane, tile.cop) * x_ahead >= 0.0F || std::abs(x_ahead) < kPlaneTolerance) continue;
+        if (plane_ahead(plane, tile.cop) * x_ahead >= 0.0F || std::abs(x_ahead) < plane_tolerance) continue;
         const float4v seen = tile.cop + texel_direction(texel, tile.n) / hit.disparity;
-        if (plane_ahead(own_plane, seen) * own_side > kPlaneTolerance)
+        if (plane_ahead(own_plane, seen) * own_side > plane_tolerance)
             hidden += ((k & 1) != 0 ? fx : 1.0F - fx) * ((k >> 1) != 0 ? fy : 1.0F - fy);
     }
     return hidden;

@@ -48,7 +48,7 @@ unsigned settle_mixed(const SurfelVectors& s, const TileView& tile, const Footpr
 inline unsigned behind_plane(const SurfelVectors& s, const TileView& tile, int blocker) {
     float4v plane = load4(tile.scene.planes[blocker]);
     if (plane_ahead(tile.scene.planes[blocker], tile.cop) <= 0.0F) plane = -plane;
-    return lane_mask(plane[3] - (plane[0] * s.x + plane[1] * s.y + plane[2] * s.z) <= -kPlaneTolerance);
+    return lane_mask(plane[3] - (plane[0] * s.x + plane[1] * s.y + plane[2] * s.z) <= -plane_tolerance);
 }
 
 /// Bits of the lanes in `open`, which their cells (first, second) do not show, that are seen nevertheless. Lanes with the same blocking
@@ -76,15 +76,15 @@ inline unsigned settle_open(const SurfelVectors& s, const TileView& tile, const 
 struct Aimed {
     Footprints f;
     vfloat weight;
-    alignas(64) int index[kLanes];  // f.index in memory
-    unsigned faces = 0;             // bits of the lanes that face the centre
+    alignas(64) int index[lane_count];  // f.index in memory
+    unsigned faces = 0;                 // bits of the lanes that face the centre
 };
 
 /// Footprints of the directions v; neighbouring lanes mostly share the line of their cells.
 inline void aim_at(const TileView& tile, vfloat vx, vfloat vy, vfloat vz, Aimed& out) {
     out.f = footprints(vx, vy, vz, tile.n);
     store(out.f.index, out.index);
-    for (int l = 0; l < kLanes; l += 2) __builtin_prefetch(tile.cells + out.index[l]);
+    for (int l = 0; l < lane_count; l += 2) __builtin_prefetch(tile.cells + out.index[l]);
 }
 
 /// Bits of the lanes that the centre of `tile` sees.
