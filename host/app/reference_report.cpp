@@ -2,6 +2,7 @@
 // without. Times are in seconds.
 #include "app/reference_report.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
@@ -51,7 +52,8 @@ void print_summary(std::ostream& out, const ReferenceReport& report, const std::
         << "paths    " << result.paths << ", " << format_short(per_second(result.paths, result.trace_seconds) / 1e6)
         << " million/s\nrays     " << result.rays << ", " << format_short(per_second(result.rays, result.trace_seconds) / 1e6)
         << " million/s\nmemory   " << format_size(peak_resident_bytes()) << " resident at most\nimage    " << result.width << "x"
-        << result.height << ", " << result.spp << " paths per pixel\n";
+        << result.height << ", " << result.spp << " paths per pixel, estimated relMSE "
+        << (std::isfinite(result.estimated_error) ? format_short(result.estimated_error) : "unknown with one path") << "\n";
     for (const std::filesystem::path& file : written) out << "wrote    " << printable(file.string()) << "\n";
 }
 
@@ -88,6 +90,7 @@ void write_stats(const std::filesystem::path& file, const ReferenceReport& repor
                     {"stages", stages_json(report)},
                     {"total_wall_seconds", report.total_seconds},
                     {"spp", result.spp},
+                    {"estimated_relmse", result.estimated_error},
                     {"paths", result.paths},
                     {"rays", result.rays},
                     {"paths_per_second", per_second(result.paths, result.trace_seconds)},

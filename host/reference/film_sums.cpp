@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <functional>
+#include <glm/gtx/component_wise.hpp>
+#include <limits>
 #include <string>
+
+#include "image/relative_error.h"
 
 namespace pencil {
 namespace {
@@ -29,13 +33,11 @@ Layer make_layer(const std::string& name, const std::vector<int>& samples, const
 
 }  // namespace
 
-FilmSums::FilmSums(int width, int height, const ReferenceOptions& options) : max_depth_(options.max_depth) {
+FilmSums::FilmSums(int width, int height, const ReferenceOptions& options) : max_depth_(options.max_depth), variance_(options.variance) {
     const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     total_.resize(pixels, glm::dvec3(0));
-    if (options.variance) {
-        ended_.resize(pixels, glm::dvec3(0));
-        squares_.resize(pixels, glm::dvec3(0));
-    }
+    ended_.resize(pixels, glm::dvec3(0));
+    squares_.resize(pixels, glm::dvec3(0));
     if (options.bounces) orders_.resize(static_cast<std::size_t>(orders_of(max_depth_)), std::vector<glm::vec3>(pixels, glm::vec3(0)));
     if (options.surfaces) surfaces_.resize(pixels);
 }
@@ -55,7 +57,6 @@ void FilmSums::add(std::size_t pixel, const PathSums& paths, const SurfaceSums& 
 }
 
 void FilmSums::end_set(std::size_t pixel, int samples) {
-    if (squares_.empty()) return;
     const glm::dvec3 set = total_[pixel] - ended_[pixel];
     squares_[pixel] += set * set / static_cast<double>(samples);
     ended_[pixel] = total_[pixel];
@@ -67,7 +68,7 @@ std::vector<Layer> FilmSums::layers(const std::vector<int>& samples, const std::
     layers.push_back(make_layer("", samples, [&](std::size_t i) { return total_[i] / static_cast<double>(samples[i]); }));
     add_light_layers(samples, layers);
     if (!surfaces_.empty()) add_surface_layers(samples, scene, eye, layers);
-    if (!squares_.empty()) layers.push_back(variance(samples, sets));
+    if (variance_) layers.push_back(make_layer(variance_layer, samples, [&](std::size_t i) { return variance(i, samples[i], sets[i]); }));
     return layers;
 }
 
@@ -105,14 +106,23 @@ void FilmSums::add_surface_layers(const std::vector<int>& samples, const RayScen
 
 /// For independent sets s of n_s samples with means m_s, each with variance sigma^2 / n_s: the mean over all N = sum n_s samples has the
 /// variance sigma^2 / N, and sigma^2 is estimated without bias by sum n_s (m_s - m)^2 / (sets - 1).
-Layer FilmSums::variance(const std::vector<int>& samples, const std::vector<int>& sets) const {
-    return make_layer(
-        variance_layer, samples,
-        [&](std::size_t i) {
-            if (sets[i] < 2) return glm::dvec3(0);
-            const double n = samples[i];
-            return glm::max((squares_[i] - total_[i] * total_[i] / n) / ((sets[i] - 1) * n), glm::dvec3(0));
-        });
+glm::dvec3 FilmSums::variance(std::size_t pixel, int samples, int sets) const {
+    if (sets < 2) return glm::dvec3(0);
+    const double n = samples;
+    return glm::max((squares_[pixel] - total_[pixel] * total_[pixel] / n) / ((sets - 1) * n), glm::dvec3(0));
+}
+
+double FilmSums::relative_mean_square_error(const std::vector<int>& samples, const std::vector<int>& sets) const {
+    if (*std::min_element(sets.begin(), sets.end()) < 2) return std::numeric_limits<double>::infinity();
+    const auto values = static_cast<double>(3 * total_.size());
+    double mean = 0, sum = 0;
+    for (std::size_t i = 0; i < total_.size(); ++i) mean += glm::compAdd(total_[i]) / samples[i] / values;
+    if (mean <= 0) return 0;
+    for (std::size_t i = 0; i < total_.size(); ++i) {
+        const glm::dvec3 value = total_[i] / static_cast<double>(samples[i]), square = variance(i, samples[i], sets[i]);
+        for (int c = 0; c < 3; ++c) sum += square[c] / relative_to(value[c], mean);
+    }
+    return sum / values;
 }
 
 }  // namespace pencil

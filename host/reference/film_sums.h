@@ -25,6 +25,9 @@ public:
     /// The samples since the last call, `samples` of them, were a set.
     void end_set(std::size_t pixel, int samples);
 
+    /// Estimated relMSE of the beauty, from the spread of sets; infinite if a pixel has fewer than two.
+    double relative_mean_square_error(const std::vector<int>& samples, const std::vector<int>& sets) const;
+
     /// Beauty first. `samples`: of each pixel; `sets`: ended sets of each pixel.
     std::vector<Layer> layers(const std::vector<int>& samples, const std::vector<int>& sets, const RayScene& scene,
                               const glm::dvec3& eye) const;
@@ -33,9 +36,10 @@ private:
     void add_light_layers(const std::vector<int>& samples, std::vector<Layer>& layers) const;
     void add_surface_layers(const std::vector<int>& samples, const RayScene& scene, const glm::dvec3& eye,
                             std::vector<Layer>& layers) const;
-    Layer variance(const std::vector<int>& samples, const std::vector<int>& sets) const;
+    glm::dvec3 variance(std::size_t pixel, int samples, int sets) const;
 
     int max_depth_;
+    bool variance_;
     std::vector<glm::dvec3> total_;
     std::vector<glm::dvec3> ended_, squares_;     // of ended sets: their sum, and the sum of (sum of a set)^2 / its samples
     std::vector<std::vector<glm::vec3>> orders_;  // as PathSums::radiance, empty if not wanted

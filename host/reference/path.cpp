@@ -10,8 +10,8 @@ namespace {
 constexpr float pi = 3.14159265F;
 /// Paths shorter than this are not ended at random: they carry most of the light.
 constexpr int sure_depth = 4;
-/// Ends even paths that lose nothing.
-constexpr float longest_survival = 0.95F;
+/// Where nothing is lost paths would never end.
+constexpr int longest_path = 1 << 16;
 
 float power_heuristic(float density, float other) {
     const float ratio = other / density;
@@ -82,9 +82,14 @@ void PathIntegrator::trace(const Ray& camera_ray, const RayHit& first, float wei
         throughput *= chosen.weight;
         density = chosen.pdf / pi;
         if (depth >= sure_depth) {
-            const float survival = std::min(std::max({throughput.x, throughput.y, throughput.z}), longest_survival);
+            // No cap below 1: dividing by less than was lost makes weights grow without bound, and their variance.
+            const float survival = std::min(std::max({throughput.x, throughput.y, throughput.z}), 1.0F);
             if (!(sampler.next_1d() < survival)) return;
             throughput /= survival;
+            if (depth == longest_path) {
+                ++sums.cut;
+                return;
+            }
         }
         ray = {off_surface(hit.point, hit.normal, hit.offset), direction};
         ++sums.rays;

@@ -21,6 +21,7 @@ struct PathSums {
     int orders = 0;  // of `radiance` that hold something
     std::uint64_t rays = 0;
     std::uint64_t dropped = 0;  // contributions that were no finite numbers
+    std::uint64_t cut = 0;      // paths that were ended because they were too long
 };
 
 /// How a surface reflects light back along a ray that met it. Frame and omega_o are made where they are asked for: what a model does not

@@ -113,7 +113,7 @@ private:
     }
 
     void trace_tile(const SamplePlan::Pass& pass, Tile& tile) {
-        std::uint64_t rays = 0, dropped = 0;
+        std::uint64_t rays = 0, dropped = 0, cut = 0;
         for (int y = tile.y; y < tile.y + tile.height; ++y)
             for (int x = tile.x; x < tile.x + tile.width; ++x) {
                 PathSums paths;
@@ -123,12 +123,14 @@ private:
                 if (pass.ends_set) film_.end_set(index(x, y), tile.set_samples + pass.samples);
                 rays += paths.rays;
                 dropped += paths.dropped;
+                cut += paths.cut;
             }
         tile.samples += pass.samples;
         tile.set_samples = pass.ends_set ? 0 : tile.set_samples + pass.samples;
         tile.sets += pass.ends_set ? 1 : 0;
         rays_ += rays;
         dropped_ += dropped;
+        cut_ += cut;
     }
 
     void trace_pixel(const SamplePlan::Pass& pass, int x, int y, PathSums& paths, SurfaceSums& surfaces) const {
@@ -175,6 +177,7 @@ private:
         result_.width = options_.width;
         result_.height = options_.height;
         result_.layers = film_.layers(samples, sets, scene_, eye_);
+        result_.estimated_error = film_.relative_mean_square_error(samples, sets);
         result_.spp = fewest;
         result_.rays = rays_;
         result_.interrupted = reporter_.stopped();
@@ -186,6 +189,10 @@ private:
         if (emitters_.empty() && options_.max_depth != 1) result_.warnings.push_back("the scene has no light: the image is black");
         if (dropped_ > 0)
             result_.warnings.push_back(std::to_string(dropped_) + " contributions of paths were no finite numbers and are left out");
+        if (cut_ > 0)
+            result_.warnings.push_back(
+                std::to_string(cut_) +
+                " paths were ended although they had lost hardly any light: the image is too dark; is some albedo 1?");
         if (result_.spp == 0) result_.warnings.push_back("interrupted before every pixel had a path: those without are black");
         if (options_.variance && fewest_sets < 2)
             result_.warnings.push_back("the variance needs at least two paths per pixel; it is 0 where there are fewer");
@@ -201,7 +208,7 @@ private:
     glm::dvec3 eye_;
     FilmSums film_;
     std::vector<Tile> tiles_;
-    std::atomic<std::uint64_t> rays_{0}, dropped_{0};
+    std::atomic<std::uint64_t> rays_{0}, dropped_{0}, cut_{0};
     ReferenceResult result_;
 };
 

@@ -19,6 +19,7 @@ struct ReferenceResult {
     std::vector<Layer> layers;  // beauty first
     int spp = 0;                // camera paths that every pixel has
     std::uint64_t paths = 0, rays = 0;
+    double estimated_error = 0;  // relMSE of the beauty, from the spread of independent sets of paths; infinite if there are too few
     double trace_seconds = 0, build_seconds = 0;  // wall clock: tracing; normalising the scene and building the BVH
     bool interrupted = false;                     // stopped early: the layers hold what was finished
     std::vector<std::string> warnings;

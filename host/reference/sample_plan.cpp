@@ -2,18 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace pencil {
 namespace {
 
-constexpr int sets_wanted = 16;
-constexpr int endless = std::numeric_limits<int>::max();
+/// Sets for the variance of each pixel, and for the error of the whole image: two cost no stratification that matters.
+constexpr int sets_for_variance = 16, sets_for_error = 2;
 constexpr int pass_samples = 16;  // at most: progress is told and the clock read between passes
 
-int set_size(int samples) {
+/// A power of two, so that there are `sets` or up to twice as many.
+int set_size(int samples, int sets) {
     int size = 1;
-    while (size <= samples / (2 * sets_wanted)) size *= 2;
+    while (size <= samples / (2 * sets)) size *= 2;
     return size;
 }
 
@@ -21,9 +21,8 @@ int set_size(int samples) {
 
 SamplePlan::SamplePlan(const ReferenceOptions& options)
     : options_(options),
-      set_size_(!options.variance     ? endless
-                : options.seconds > 0 ? 1
-                                      : set_size(options.spp)) {}
+      sets_(options.variance ? sets_for_variance : sets_for_error),
+      set_size_(options.seconds > 0 ? 1 : set_size(options.spp, sets_)) {}
 
 SamplePlan::Pass SamplePlan::next(double elapsed) {
     done_ += current_.samples;
@@ -32,7 +31,7 @@ SamplePlan::Pass SamplePlan::next(double elapsed) {
         ++set_;
         in_set_ = 0;
         // Only the first pass tells how much a time budget buys.
-        if (options_.seconds > 0 && set_ == 1) set_size_ = set_size(static_cast<int>(std::min(options_.seconds / elapsed, 1e9)));
+        if (options_.seconds > 0 && set_ == 1) set_size_ = set_size(static_cast<int>(std::min(options_.seconds / elapsed, 1e9)), sets_);
     }
     current_ = {};
     current_.samples = std::min(wanted(elapsed), set_size_ - in_set_);

@@ -5,7 +5,7 @@
 
 namespace pencil {
 
-/// Without a variance there is one set that never ends. With one there are about 16 sets of a power of two of samples.
+/// Sets hold a power of two of samples each. There are about 16 if the variance of each pixel is wanted, and two to four otherwise.
 class SamplePlan {
 public:
     explicit SamplePlan(const ReferenceOptions& options);
@@ -26,7 +26,7 @@ private:
     int wanted(double elapsed) const;
 
     ReferenceOptions options_;
-    int done_ = 0, set_ = 0, in_set_ = 0, set_size_;
+    int done_ = 0, set_ = 0, in_set_ = 0, sets_, set_size_;
     Pass current_;
 };
 

@@ -60,6 +60,14 @@ TEST(KnownAnswers, FurnaceOrderByOrder) {
     }
 }
 
+/// Long paths: weights must stay bounded, or a few paths hold all the light and most renders are too dark.
+TEST(KnownAnswers, FurnaceOfBrightWalls) {
+    for (const float albedo : {0.97F, 0.99F, 0.999F}) {
+        const double a = albedo;
+        expect_mean(trace(furnace(albedo), albedo > 0.995F ? 4 : 16), 1.0 / (1.0 - a), 2e-2, "albedo " + std::to_string(a));
+    }
+}
+
 TEST(KnownAnswers, FurnaceLayersArePowersOfTheAlbedo) {
     ReferenceOptions options;
     options.spp = 256;

@@ -1,8 +1,11 @@
 // What the path tracer promises beside right answers: an honest variance, equal bits, independence of scale, and what it does with
 // unusual input.
 #include <atomic>
+#include <cmath>
+#include <numeric>
 #include <thread>
 
+#include "image/relative_error.h"
 #include "reference_renderer/traced.h"
 #include "util/error.h"
 
@@ -62,6 +65,29 @@ TEST(PathTracer, VarianceIsThatOfRepeatedRenders) {
     }
     EXPECT_GT(values, 700);
     EXPECT_NEAR(ratios / values, 1.0, 0.04) << "each variance is found to 13 % or somewhat worse, and channels are not independent";
+}
+
+/// What a render says of its own error, against many more paths; without the variance layer it has two sets only.
+TEST(PathTracer, EstimatedErrorIsTheTrueOne) {
+    ReferenceOptions options;
+    options.spp = 8192;
+    options.seed = 1000;
+    const ReferenceResult truth = trace_paths(room(), options);
+    const std::vector<float>& r = layer(truth.layers, "").pixels;
+    const double mean = std::accumulate(r.begin(), r.end(), 0.0) / static_cast<double>(r.size());
+    double true_error = 0, estimated = 0;
+    constexpr int seeds = 16;
+    for (int seed = 0; seed < seeds; ++seed) {
+        options.spp = 64;
+        options.seed = static_cast<std::uint64_t>(seed);
+        const ReferenceResult result = trace_paths(room(), options);
+        const std::vector<float>& x = layer(result.layers, "").pixels;
+        for (std::size_t i = 0; i < x.size(); ++i) true_error += relative_square(x[i], r[i], mean) / static_cast<double>(seeds * x.size());
+        estimated += result.estimated_error / seeds;
+    }
+    EXPECT_NEAR(estimated / true_error, 1.0, 0.15);
+    options.spp = 1;
+    EXPECT_TRUE(std::isinf(trace_paths(room(), options).estimated_error));
 }
 
 TEST(PathTracer, SameBitsWhateverTheThreads) {

@@ -209,6 +209,16 @@ TEST_F(LoadScene, Colours) {
     EXPECT_LT(blue.x, 0.3F);
 }
 
+/// A spectrum of one number emits alike at all wavelengths, which is not white; rgb is the colour that it says. Mitsuba 3's values.
+TEST_F(LoadScene, UniformSpectraEmitIlluminantE) {
+    const auto radiance = [&](const std::string& colour) {
+        return load_body("<shape type=\"cube\"><emitter type=\"area\">" + colour + "</emitter></shape>").shapes.at(0).radiance;
+    };
+    expect_near(radiance("<spectrum name=\"radiance\" value=\"2\"/>"), {2.410, 1.897, 1.817}, 2e-3);
+    EXPECT_EQ(radiance("<rgb name=\"radiance\" value=\"2\"/>"), glm::vec3(2.0F));
+    EXPECT_EQ(radiance("<spectrum name=\"radiance\" value=\"1, 2, 3\"/>"), glm::vec3(1.0F, 2.0F, 3.0F));
+}
+
 TEST_F(LoadScene, PointLights) {
     const Scene scene = load_body(
         "<emitter type=\"point\"><point name=\"position\" x=\"1\" y=\"2\" z=\"3\"/><rgb name=\"intensity\" value=\"4, 5, 6\"/></emitter>"

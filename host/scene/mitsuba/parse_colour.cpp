@@ -60,6 +60,9 @@ glm::dvec3 parse_sampled(XmlSource& source, pugi::xml_node node, ColourUse use) 
     return inside;
 }
 
+/// Emission of 1 at all wavelengths: illuminant E, which is redder than sRGB's white.
+glm::dvec3 uniform_emission() { return emission_to_rgb({{360.0, 830.0}, {1.0, 1.0}}); }
+
 glm::dvec3 parse_components(XmlSource& source, pugi::xml_node node, ColourUse use) {
     const std::string tag = node.name();
     if (!node.attribute("value"))
@@ -74,7 +77,8 @@ glm::dvec3 parse_components(XmlSource& source, pugi::xml_node node, ColourUse us
     else if (tag == "float" || tag == "integer")
         colour = glm::dvec3(token_number(source, node, text));
     else if (parts.size() == 1)
-        colour = glm::dvec3(token_number(source, node, parts[0]));
+        colour =
+            (tag == "spectrum" && use == ColourUse::emission ? uniform_emission() : glm::dvec3(1.0)) * token_number(source, node, parts[0]);
     else if (parts.size() == 3)
         for (int i = 0; i < 3; ++i) colour[i] = token_number(source, node, parts[static_cast<std::size_t>(i)]);
     else
