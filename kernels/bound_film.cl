@@ -4,25 +4,24 @@
 #include "shared/camera.h"
 #include "shared/geometry.h"
 
-/// Depth below which a corner is clipped before it is projected.
-#define FILM_NEAREST 1e-6f
 
-/// Bounds of the projection of the part of a triangle (corners relative to the pinhole) in front of it: (min px, min py, max px, max py).
+/// Bounds of the projection of the part of a triangle (corners relative to the pinhole) that is further in front of it than `nearest`:
+/// (min px, min py, max px, max py).
 /// `to_film` rows give px, py and depth of a point as (row0 . p) / (row2 . p), (row1 . p) / (row2 . p), row2 . p.
-static inline float4 film_bounds(const float4 *p, const float4 *to_film) {
+static inline float4 film_bounds(const float4 *p, const float4 *to_film, float nearest) {
     float4 bounds = (float4)(INFINITY, INFINITY, -INFINITY, -INFINITY);
     for (int i = 0; i < 3; ++i) {
         float4 a = p[i];
         float4 b = p[i < 2 ? i + 1 : 0];
         float da = dot(to_film[2].xyz, a.xyz);
         float db = dot(to_film[2].xyz, b.xyz);
-        if (da >= FILM_NEAREST) {
+        if (da >= nearest) {
             float2 q = (float2)(dot(to_film[0].xyz, a.xyz), dot(to_film[1].xyz, a.xyz)) / da;
             bounds = (float4)(fmin(bounds.xy, q), fmax(bounds.zw, q));
         }
-        if ((da >= FILM_NEAREST) != (db >= FILM_NEAREST)) {
-            float4 c = a + (b - a) * ((FILM_NEAREST - da) / (db - da));
-            float2 q = (float2)(dot(to_film[0].xyz, c.xyz), dot(to_film[1].xyz, c.xyz)) / FILM_NEAREST;
+        if ((da >= nearest) != (db >= nearest)) {
+            float4 c = a + (b - a) * ((nearest - da) / (db - da));
+            float2 q = (float2)(dot(to_film[0].xyz, c.xyz), dot(to_film[1].xyz, c.xyz)) / nearest;
             bounds = (float4)(fmin(bounds.xy, q), fmax(bounds.zw, q));
         }
     }
@@ -40,6 +39,8 @@ kernel void bound_film(global const Triangle *triangles, int triangle_count, glo
     float4 eye = (float4)(camera.origin.xyz, 0.0f);
     float4 p[3] = {triangle->v0 - eye, triangle->v1 - eye, triangle->v2 - eye};
     float4 rows[3] = {to_film[0], to_film[1], to_film[2]};
-    bool edge_on = fabs(plane_ahead(planes[triangle->plane], eye)) < PLANE_TOLERANCE;
-    bounds[i] = edge_on ? (float4)(INFINITY, INFINITY, -INFINITY, -INFINITY) : film_bounds(p, rows);
+    float4 far = fmax(fabs(p[0]), fmax(fabs(p[1]), fabs(p[2])));
+    float tolerance = PLANE_TOLERANCE * fmin(fmax(far.x, fmax(far.y, far.z)), 1.0f);
+    bool edge_on = fabs(plane_ahead(planes[triangle->plane], eye)) < tolerance;
+    bounds[i] = edge_on ? (float4)(INFINITY, INFINITY, -INFINITY, -INFINITY) : film_bounds(p, rows, tolerance);
 }

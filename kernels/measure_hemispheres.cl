@@ -1,11 +1,12 @@
 // What a surface pencil knows of the geometry about it: harmonic mean distance and horizon.
 
 #include "lib/hemisphere.cl"
+#include "lib/surface_pencil.cl"
 #include "shared/surface_pencil.h"
 #include "shared/surfel.h"
 
-/// Planes nearer to a pencil than this count as this far away [scene units].
-#define HORIZON_TINY 1e-7f
+/// Planes nearer to a pencil than this share of its position's rounding count as this far away.
+#define HORIZON_TINY 0.1f
 
 /// From the pencil to surfel i [scene units].
 static inline float3 step_to_surfel(global const float *surfels, size_t capacity, size_t i, global const SurfacePencil *pencil) {
@@ -18,7 +19,7 @@ static inline float2 horizon_line(global const float *surfels, size_t capacity, 
     global const float *s = surfels + i;
     float3 g = (float3)(s[SURFEL_GX * capacity], s[SURFEL_GY * capacity], s[SURFEL_GZ * capacity]), t, b;
     tangent_frame(pencil->normal.xyz, &t, &b);
-    return (float2)(dot(g, t), dot(g, b)) / fmin(dot(step_to_surfel(surfels, capacity, i, pencil), g), -HORIZON_TINY);
+    return (float2)(dot(g, t), dot(g, b)) / fmin(dot(step_to_surfel(surfels, capacity, i, pencil), g), -HORIZON_TINY * position_error(pencil->position.xyz));
 }
 
 /// launch : 1-D, one work-item per pencil of first_pencil ..
@@ -41,7 +42,7 @@ kernel void measure_hemispheres(global const float *surfels, int capacity, int f
         int met = as_int(surfels[(size_t)SURFEL_PLANE * capacity + at]);
         if (met < 0) continue;
         float distance = length(step_to_surfel(surfels, capacity, at, pencil));
-        inverse += 1.0f / fmax(distance, HORIZON_TINY);
+        inverse += 1.0f / fmax(distance, HORIZON_TINY * position_error(pencil->position.xyz));
         int2 texel = hemisphere_texel(i, n);
         if (texel.x > 0 && texel.x < n - 1 && texel.y > 0 && texel.y < n - 1) continue;
         // On the rim of the disc the concentric map keeps the direction's octant.

@@ -1,10 +1,11 @@
 // Puts surface pencils on surfels.
 
+#include "lib/surface_pencil.cl"
 #include "shared/surface_pencil.h"
 #include "shared/surfel.h"
 
-/// How much nearer: well above the rounding of positions, and a small share of the distance [scene units].
-#define PLACE_NEARER 3e-5f
+/// How much nearer: well above the rounding of positions, in terms of them, and a small share of the distance.
+#define PLACE_NEARER 30.0f
 #define PLACE_SHARE 1e-2f
 
 /// launch : 1-D, one work-item per new pencil
@@ -21,7 +22,8 @@ kernel void place_surface_pencils(global const float *surfels, int capacity, glo
     global SurfacePencil *pencil = pencils + first + item;
     size_t c = capacity;
     float3 x = (float3)(s[SURFEL_X * c], s[SURFEL_Y * c], s[SURFEL_Z * c]), towards = views[item].xyz - x;
-    pencil->position = (float4)(x + towards * fmin(PLACE_NEARER / fmax(length(towards), PLACE_NEARER), PLACE_SHARE), 0.0f);
+    float nearer = PLACE_NEARER * position_error(x);
+    pencil->position = (float4)(x + towards * fmin(nearer / fmax(length(towards), nearer), PLACE_SHARE), 0.0f);
     pencil->normal = (float4)(s[SURFEL_NX * c], s[SURFEL_NY * c], s[SURFEL_NZ * c], views[item].w);
     pencil->facing = (float4)(s[SURFEL_GX * c], s[SURFEL_GY * c], s[SURFEL_GZ * c], 0.0f);
     for (int k = 0; k < 2 * RING_SECTORS; ++k) pencil->horizon_x[k] = pencil->horizon_y[k] = 0.0f;

@@ -10,7 +10,8 @@
 
 /// Errors below this share of most_error count as this: a pencil at the surfel itself has a finite weight.
 #define FILM_LEAST_ERROR 0.02f
-/// Squared distance that the normals' 1 - cosine counts as, among pencils that may not be used [scene units^2]: likeness of normals first.
+/// Squared distance that the normals' 1 - cosine counts as, among pencils that may not be used, in terms of the square of the distance to the
+/// eye: likeness of normals first.
 #define FILM_TURN 0.25f
 
 /// What smooth_irradiance says at `step` from the pencil.
@@ -63,7 +64,7 @@ kernel void project_film_pencils(global const float *surfels, int capacity, glob
                 float3 step = point.x - pencil->position.xyz;
                 if (weight > 0.0f) sum += weight * (float4)(fitted_irradiance(fits + 3 * (size_t)index, pencil, step), 1.0f);
                 // No pencil reaches: take the most similar one.
-                float unlike = dot(step, step) + (1.0f - dot(pencil->normal.xyz, point.n)) * FILM_TURN;
+                float unlike = dot(step, step) + (1.0f - dot(pencil->normal.xyz, point.n)) * FILM_TURN * dot(point.x, point.x);
                 if (unlike < least) {
                     least = unlike;
                     last = (float4)(fits[3 * (size_t)index].xyz, 1.0f);

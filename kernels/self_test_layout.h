@@ -5,6 +5,7 @@
 #include "shared/bvh.h"
 #include "shared/camera.h"
 #include "shared/cluster.h"
+#include "shared/emitter.h"
 #include "shared/geometry.h"
 #include "shared/light.h"
 #include "shared/material.h"
@@ -22,6 +23,8 @@
     FIELD(Hit, triangle) FIELD(Hit, disparity)                                                                                      \
     SIZE(LightSample)                                                                                                               \
     FIELD(LightSample, position) FIELD(LightSample, normal) FIELD(LightSample, emission)                                            \
+    SIZE(Emitter)                                                                                                                   \
+    FIELD(Emitter, position) FIELD(Emitter, emission) FIELD(Emitter, triangle) FIELD(Emitter, chance)                               \
     SIZE(Camera)                                                                                                                    \
     FIELD(Camera, origin) FIELD(Camera, corner) FIELD(Camera, step_x) FIELD(Camera, step_y)                                         \
     FIELD(Camera, width) FIELD(Camera, height) FIELD(Camera, near_clip) FIELD(Camera, far_clip)                                     \
@@ -34,5 +37,5 @@
     FIELD(SurfacePencil, horizon_x) FIELD(SurfacePencil, horizon_y)                                                                 \
     FIELD(SurfacePencil, plane) FIELD(SurfacePencil, key) FIELD(SurfacePencil, spacing)                                             \
     SIZE(PencilGrid)                                                                                                                \
-    FIELD(PencilGrid, low) FIELD(PencilGrid, size_x) FIELD(PencilGrid, size_y) FIELD(PencilGrid, size_z)
+    FIELD(PencilGrid, origin) FIELD(PencilGrid, levels) FIELD(PencilGrid, slots) FIELD(PencilGrid, count)
 // clang-format on

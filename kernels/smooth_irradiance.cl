@@ -9,8 +9,7 @@
 #define SMOOTH_REACH 2
 /// Share of the neighbours' weight that holds slopes at 0: decides where neighbours lie on one side or in a line.
 #define SMOOTH_HOLD 1e-3f
-/// And this much where all neighbours lie in one point: keeps the determinant above 0 [scene units^2].
-#define SMOOTH_TINY 1e-12f
+/// And the square of the rounding of positions where all neighbours lie in one point: keeps the determinant above 0.
 
 /// A film pencil's irradiance near it: value + along_t dot(step, t) + along_b dot(step, b), t and b of tangent_frame.
 /// launch : 1-D, one work-item per pixel
@@ -54,7 +53,7 @@ kernel void smooth_irradiance(global const SurfacePencil *pencils, global const 
     // Least squares about the weighted mean.
     float ms = ws / w, mu = wu / w;
     float ss = wss - ms * ws, su = wsu - ms * wu, uu = wuu - mu * wu;
-    float hold = SMOOTH_HOLD * (ss + uu) + SMOOTH_TINY;
+    float tiny = fmax(position_error(x), FLT_MIN), hold = SMOOTH_HOLD * (ss + uu) + w * tiny * tiny;
     ss += hold;
     uu += hold;
     float3 mean = e0 / w, cs = es - ms * e0, cu = eu - mu * e0;

@@ -10,19 +10,19 @@
 #include "shared/material.h"
 #include "shared/surface_pencil.h"
 
-/// launch : 1-D, one work-item per packet of PENCIL_WIDTH texels of pencils first_pencil .. ; n * n entries per pencil, in the order of
-///          hemisphere_texel
+/// launch : 1-D, one work-item per packet of PENCIL_WIDTH texels of pencils first_pencil .. ; `texels` entries per pencil of maps of n * n,
+///          in the order of hemisphere_texel: all of them, or, where several pencils share a map, a block each in turn
 /// in     : pencils (position, normal, facing, plane, key); the scene and its hierarchy; seed: of the points within texels; shift: of all
 ///          points, as fractions of 2^32: a digital shift, so that a sequence of them fills each texel as evenly as it fills the square
-/// out    : surfels, structure of arrays of `capacity`, entry k of pencil first_pencil + p at first_surfel + p * n * n + k
-/// needs  : n a multiple of 4. Texels below the geometric horizon of a pencil see nothing.
-kernel void trace_hemispheres(global const SurfacePencil *pencils, int first_pencil, int pencil_count, int n, uint seed, uint2 shift,
+/// out    : surfels, structure of arrays of `capacity`, entry k of pencil first_pencil + p at first_surfel + p * texels + k
+/// needs  : n a multiple of 4, texels a multiple of the blocks' size. Texels below the geometric horizon of a pencil see nothing.
+kernel void trace_hemispheres(global const SurfacePencil *pencils, int first_pencil, int pencil_count, int texels, int n, uint seed, uint2 shift,
                               global const BvhNode *nodes, global const int *leaves, global const Triangle *triangles,
                               global const float4 *planes, global const Material *materials, global const float4 *normals,
                               global float *surfels, int capacity, int first_surfel) {
     int first = get_global_id(0) * PENCIL_WIDTH;
-    if (first >= pencil_count * n * n) return;
-    int index = first_pencil + first / (n * n);
+    if (first >= pencil_count * texels) return;
+    int index = first_pencil + first / texels;
     global const SurfacePencil *pencil = pencils + index;
     float4 origin = (float4)(pencil->position.xyz, 0.0f);
     float3 normal = pencil->normal.xyz, facing = pencil->facing.xyz, t, b;

@@ -12,8 +12,8 @@ import tempfile
 USES = {
     "util": [], "options": ["util"], "image": ["util"], "cl": ["util"],
     "scene": ["image"], "scene/meshes": ["scene"], "scene/mitsuba": ["scene/meshes"], "scene/formats": ["scene/mitsuba"],
-    "pencils": ["scene"], "device": ["cl", "pencils", "options"], "visibility": ["device"], "film": ["visibility"],
-    "line/placement": ["visibility"], "line": ["film", "line/placement"], "surface": ["film"], "render": ["line", "surface"],
+    "pencils": ["scene"], "device": ["cl", "pencils", "options"], "visibility": ["device"], "film": ["visibility"], "certify": ["film"],
+    "line/placement": ["visibility"], "line": ["film", "line/placement"], "surface": ["certify"], "render": ["line", "surface"],
     "reference": ["scene", "options"], "compare": ["image", "options"], "converge": ["render", "reference", "compare"],
     "app": ["converge", "scene/formats"],
 }

@@ -31,13 +31,20 @@ void print_stage(std::ostream& out, const StageTime& stage) {
 
 std::string device_line(const DeviceInfo& device) { return printable(device.name + " (" + device.platform + "), driver " + device.driver); }
 
+std::string checked(const CertifiedError& certified) {
+    if (certified.points < 2) return " estimated";
+    const double reach = interval_errors * certified.standard_error;
+    return fmt::format(" estimated; by light paths to {} pixels {} to {}, mean {:+.2f} % +- {:.2f} %", certified.points,
+                       format_short(std::max(certified.relmse - reach, 0.0)), format_short(certified.relmse + reach),
+                       100 * certified.mean_bias, 100 * interval_errors * certified.mean_error);
+}
+
 std::string bounce_line(const RenderStats& stats) {
     if (stats.passes > 0) {
         const bool known = std::isfinite(stats.estimated_error);
-        return fmt::format("to the end, residual {}\npasses   {}, estimated relMSE {}, pencils: {} in the world, {} for the film",
-                           format_short(stats.residual), stats.passes,
-                           (known ? format_short(stats.estimated_error) : "unknown with one pass"), stats.world_pencils,
-                           stats.film_pencils);
+        return fmt::format("to the end, residual {}\npasses   {}, pencils: {} in the world, {} for the film\nerror    {}",
+                           format_short(stats.residual), stats.passes, stats.world_pencils, stats.film_pencils,
+                           known ? "relMSE " + format_short(stats.estimated_error) + checked(stats.certified) : "unknown");
     }
     std::string line = fmt::format("{}, residual {}", stats.bounces.size(), format_short(stats.residual));
     return line + (stats.tail_closed ? ", added as a geometric tail" : "");

@@ -67,6 +67,17 @@ Json bounces_json(const RenderStats& stats) {
     return bounces;
 }
 
+/// What light paths say of the image; null without a check.
+Json certified_json(const CertifiedError& certified) {
+    if (certified.points < 2) return {};
+    const auto interval = [](double value, double error) { return Json{value - interval_errors * error, value + interval_errors * error}; };
+    return {{"relmse", certified.relmse},
+            {"relmse_interval", interval(certified.relmse, certified.standard_error)},
+            {"mean_bias", certified.mean_bias},
+            {"mean_bias_interval", interval(certified.mean_bias, certified.mean_error)},
+            {"pixels", certified.points}};
+}
+
 }  // namespace
 
 void write_stats(const std::filesystem::path& file, const RunReport& report, const RenderCommand& command) {
@@ -85,6 +96,7 @@ void write_stats(const std::filesystem::path& file, const RunReport& report, con
                     {"total_wall_seconds", report.total_wall_seconds},
                     {"bounces", bounces_json(stats)},
                     {"passes", stats.passes},
+                    {"certified", certified_json(stats.certified)},
                     {"estimated_relmse", std::isfinite(stats.estimated_error) ? Json(stats.estimated_error) : Json()},
                     {"world_pencils", stats.world_pencils},
                     {"film_pencils", stats.film_pencils},

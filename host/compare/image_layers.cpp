@@ -71,6 +71,7 @@ std::vector<NamedLayer> split_layers(const Image& image) {
 std::vector<float> select_channels(const NamedLayer& layer, const std::vector<std::string>& wanted) {
     if (wanted == layer.channels) return layer.pixels;
     std::vector<std::size_t> positions;
+    positions.reserve(wanted.size());
     for (const std::string& channel : wanted) {
         positions.push_back(
             static_cast<std::size_t>(std::find(layer.channels.begin(), layer.channels.end(), channel) - layer.channels.begin()));

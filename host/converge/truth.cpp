@@ -7,10 +7,10 @@
 
 #include "compare/compare_images.h"
 #include "compare/image_layers.h"
-#include "options/layer.h"
 #include "compare/lab.h"
 #include "converge/runs.h"
 #include "image/write_image.h"
+#include "options/layer.h"
 #include "scene/scene_fingerprint.h"
 #include "util/error.h"
 #include "util/format.h"

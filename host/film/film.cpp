@@ -34,11 +34,11 @@ Film::Film(Kernels& kernels, const DeviceScene& scene, const Camera& camera, con
     : camera_(camera), samples_(kernels.features().film_samples), strip_rows_(rows_per_strip(camera, samples_)) {
     const auto& device = kernels.device();
     const std::vector<glm::vec2> offsets = film_sample_offsets(samples_, turn.seed, turn.index);
-    const FilterTable table = tabulate_filter(filter, offsets);
-    reach_ = table.reach;
+    table_ = tabulate_filter(filter, offsets);
+    reach_ = table_.reach;
     offsets_ = Buffer<glm::vec2>(device, offsets, "film sample offsets");
-    weights_ = Buffer<float>(device, table.weights, "filter weights");
-    totals_ = Buffer<float>(device, table.totals, "filter totals");
+    weights_ = Buffer<float>(device, table_.weights, "filter weights");
+    totals_ = Buffer<float>(device, table_.totals, "filter totals");
     slots_ = Buffer<unsigned char>(device, pixel_count(camera_) * static_cast<std::size_t>(samples_), "film sample slots");
     counts_ = Buffer<unsigned char>(device, pixel_count(camera_), "film surfel counts");
     hits_ = Buffer<Hit>(device, static_cast<std::size_t>(strip_rows_) * static_cast<std::size_t>(camera_.width * samples_), "film hits");

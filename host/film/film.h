@@ -20,6 +20,8 @@ public:
     const Surfels& surfels() const { return surfels_; }
     const Buffer<unsigned char>& counts() const { return counts_; }    // per pixel: surfels and FILM_HAS_EMPTY
     const Buffer<int>& first_surfel() const { return first_surfel_; }  // per pixel
+    const Buffer<unsigned char>& slots() const { return slots_; }      // per visibility sample: its surfel's number in the pixel
+    const FilterTable& filter_table() const { return table_; }
     int width() const { return camera_.width; }
     int height() const { return camera_.height; }
     float4 eye() const { return camera_.origin; }  // [scene units]
@@ -54,7 +56,8 @@ private:
     Buffer<Hit> hits_;  // of one strip, released after construction
     Buffer<unsigned char> slots_, counts_;
     Buffer<int> first_surfel_;
-    Buffer<float> weights_, totals_;
+    FilterTable table_;
+    Buffer<float> weights_, totals_;  // of it
     Surfels surfels_;
 };
 

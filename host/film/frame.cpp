@@ -1,9 +1,32 @@
 #include "film/frame.h"
 
+#include <algorithm>
+#include <cstdint>
+
 #include "film/light_surfels.h"
 #include "visibility/geometry_maps.h"
 
 namespace pencil {
+
+namespace {
+
+/// Surfels that light samples are meant for.
+constexpr int most_receivers = 64;
+
+std::vector<LightReceiver> some_receivers(const Film& film) {
+    static_assert(SURFEL_X == 0 && SURFEL_NX == 3 && SURFEL_NZ == 5, "positions and normals are the first fields");
+    std::vector<LightReceiver> receivers;
+    const Surfels& surfels = film.surfels();
+    const int count = std::min(surfels.count, most_receivers);
+    for (int k = 0; k < count; ++k) {
+        const auto i = static_cast<std::size_t>(static_cast<std::int64_t>(k) * surfels.count / count);
+        const std::vector<float> f = surfels.data.read_rows(i, static_cast<std::size_t>(surfels.capacity), SURFEL_NZ + 1, 1);
+        receivers.push_back({{f[0], f[1], f[2]}, {f[3], f[4], f[5]}});
+    }
+    return receivers;
+}
+
+}  // namespace
 
 Frame::Frame(RenderContext& context, const std::vector<std::string>& aovs, int light_samples, int light_map, const Turn& turn)
     : context_(context), layers_(aovs) {
@@ -19,7 +42,9 @@ Frame::Frame(RenderContext& context, const std::vector<std::string>& aovs, int l
 
 void Frame::make_lights(int count, int map, const Turn& turn) {
     if (context_.options.bounces == 0) return;  // emission only
-    samples_ = sample_lights(context_.scene, context_.flat, context_.forms, count, turn.seed, turn.index);
+    if (context_.receivers.empty() && has_detailed_emitters(context_.scene, context_.flat, context_.forms))
+        context_.receivers = some_receivers(*film_);
+    samples_ = sample_lights(context_.scene, context_.flat, context_.forms, count, turn.seed, turn.index, context_.receivers);
     if (samples_.empty()) return;
     lights_ = LightSet(context_.kernels.device(), samples_, map);
     if (map > 0) make_geometry_maps(context_.kernels, context_.device_scene, lights_.maps, 0, lights_.maps.count);

@@ -71,15 +71,31 @@ double LayerMean::shared_square() const {
 
 /// sum(W^2 (M - mean)^2) / sum(W)^2 over the means M of the sequences and their weights W, right whatever their variances are (White 1980),
 /// times what makes it unbiased where variances are as 1 / W: sum(W) / (sum(W) - W) for each.
-double LayerMean::variance_of_mean(std::size_t i) const {
-    const double mean = static_cast<double>(mean_.front().pixels[i]) - static_cast<double>(first_[i]);
+/// `value(s)`: W times M of a sequence.
+template <typename Value>
+double LayerMean::spread_of_mean(double mean, Value value) const {
     double sum = 0;
     for (const Sum& s : of_) {
         if (s.weight == 0) continue;
-        const double step = static_cast<double>(s.value[i]) - s.weight * mean;
+        const double step = value(s) - s.weight * mean;
         sum += step * step / (1.0 - s.weight / weight_);
     }
     return sum / (weight_ * weight_);
+}
+
+double LayerMean::variance_of_mean(std::size_t i) const {
+    const double mean = static_cast<double>(mean_.front().pixels[i]) - static_cast<double>(first_[i]);
+    return spread_of_mean(mean, [i](const Sum& s) { return static_cast<double>(s.value[i]); });
+}
+
+double LayerMean::mean_standard_error() const {
+    if (count_ < 2) return std::numeric_limits<double>::infinity();
+    const auto average = [](const std::vector<float>& v) {
+        return std::accumulate(v.begin(), v.end(), 0.0) / static_cast<double>(v.size());
+    };
+    const double mean = average(mean_.front().pixels);
+    if (!(mean > 0)) return 0;
+    return std::sqrt(spread_of_mean(mean - average(first_), [&](const Sum& s) { return average(s.value); })) / mean;
 }
 
 double LayerMean::mean_square_noise() const {

@@ -19,10 +19,15 @@ public:
     void add(std::vector<Layer> layers, double weight, int generation);
 
     int count() const { return count_; }
+    const std::vector<float>& beauty() const { return mean_.front().pixels; }
 
     /// Estimated relative mean square error of the mean beauty, relMSE: the variance of the mean over its square, from the spread of the
     /// sequences, and what generations share, from the step between the last two. Needs two images; infinite before.
     double relative_mean_square_error() const;
+
+    /// Estimated standard error of the beauty's mean over all pixels, relative to it, from the spread of the sequences; infinite before two
+    /// images.
+    double mean_standard_error() const;
 
     /// The layers of the mean; with two images or more a layer "error" follows: the estimated error of every beauty value. take() leaves
     /// nothing behind.
@@ -39,6 +44,8 @@ private:
     using Halves = std::array<Sum, 2>;  // even and odd sequences
 
     void begin_generation(int generation);
+    template <typename Value>
+    double spread_of_mean(double mean, Value value) const;
     double variance_of_mean(std::size_t i) const;
     double mean_square_noise() const;
     double shared_square() const;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "options/layer.h"
+#include "options/render_result.h"
 #include "pencils/flat_scene.h"
 #include "shared/weights.h"
 #include "visibility/visibility_path.h"
@@ -34,6 +35,8 @@ public:
     virtual std::vector<Layer> take() { return snapshot(); }
     /// Estimated relMSE of the beauty; infinite if not known.
     virtual double estimated_error() const { return std::numeric_limits<double>::infinity(); }
+    /// What a check by light paths says of it; nothing if there was none.
+    virtual CertifiedError certified_error() const { return {}; }
     /// Decisions and what was left out, one sentence each.
     virtual std::vector<std::string> explain() const = 0;
 };

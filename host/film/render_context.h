@@ -10,6 +10,7 @@
 #include "options/render_options.h"
 #include "options/render_result.h"
 #include "pencils/flat_scene.h"
+#include "pencils/light_samples.h"
 #include "scene/scene.h"
 
 namespace pencil {
@@ -36,8 +37,9 @@ struct RenderContext {
     Kernels kernels;
     Prepared prepared;
     DeviceScene device_scene;
-    bool maps_emit = false;  // some emitter is carried by the maps
-    RenderStats stats;       // as far as methods fill them; the session adds the rest
+    bool maps_emit = false;                // some emitter is carried by the maps
+    std::vector<LightReceiver> receivers;  // some of what the first film shows, where light samples depend on it
+    RenderStats stats;                     // as far as methods fill them; the session adds the rest
 };
 
 }  // namespace pencil

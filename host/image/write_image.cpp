@@ -100,6 +100,7 @@ std::vector<std::string> channel_names(const ImageLayer& layer) {
     if (layer.channels < 1 || static_cast<std::size_t>(layer.channels) > letters.size())
         throw OutputError(fmt::format("layer \"{}\" has {} channels", layer.name, layer.channels));
     std::vector<std::string> names;
+    names.reserve(static_cast<std::size_t>(layer.channels));
     for (int i = 0; i < layer.channels; ++i) names.push_back((layer.name.empty() ? "" : layer.name + ".") + letters[i]);
     return names;
 }

@@ -29,14 +29,27 @@ struct BounceReport {
     double projection_seconds = 0;  // device time of the projection-scatter of that set
 };
 
+/// Standard errors on each side of an interval that holds the truth 95 times of 100.
+constexpr double interval_errors = 1.96;
+
+/// The error of an image as independent light paths see it, bias included.
+struct CertifiedError {
+    double relmse = 0;          // unbiased, so it may be below 0 by chance
+    double standard_error = 0;  // of that
+    double mean_bias = 0;       // of the image's mean, relative to it
+    double mean_error = 0;      // standard error of that
+    int points = 0;             // pixels looked at; 0: nothing is known
+};
+
 struct RenderStats {
     std::vector<StageTime> stages;  // in order of execution; kernel builds are a stage of their own
     std::vector<BounceReport> bounces;
     double residual = 0;  // estimated radiance of the bounces that were not computed, relative to the image's mean
     int passes = 0;       // images averaged, surface method
     std::uint64_t world_pencils = 0, film_pencils = 0;  // of all passes
-    double estimated_error = 0;                         // relMSE of the beauty, from the spread of the passes; infinite for one pass
-    bool tail_closed = false;                           // the residual was added as a geometric tail
+    double estimated_error = 0;  // relMSE of the beauty, from the spread of the passes and the check; infinite if not known
+    CertifiedError certified;    // the check alone
+    bool tail_closed = false;    // the residual was added as a geometric tail
     std::uint64_t device_peak_bytes = 0;
     std::uint64_t triangles = 0, film_surfels = 0;
     std::uint64_t blind_surfels = 0;   // film surfels that no pencil of the first set sees

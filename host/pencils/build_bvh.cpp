@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <glm/gtx/component_wise.hpp>
 #include <cmath>
 #include <memory>
 
@@ -13,8 +14,9 @@ namespace pencil {
 
 namespace {
 
-/// Boxes are wider than their triangles by this, so that rounding cuts nothing off (PLANE_TOLERANCE of kernels/lib/triangle.cl).
-constexpr float widen = 1e-6F;
+/// Boxes are wider than their triangles by this, so that rounding cuts nothing off (PLANE_TOLERANCE of kernels/lib/triangle.cl): but for small
+/// ones near the eye, this share of their largest coordinate. Rays from centres further away than FAR_CENTRE do not pass by these.
+constexpr float widen = 1e-6F, widen_share = 3e-5F;
 /// Packets share the set-up of a triangle, so leaves may be larger than those of single rays.
 constexpr unsigned leaf_triangles = 4;
 
@@ -91,8 +93,10 @@ public:
 
     void add_child(int index, int k, const RTCBounds& b, const BuildNode& child, int level) {
         BvhNode& node = bvh_.nodes[static_cast<std::size_t>(index)];
-        node.low[k] = float4(b.lower_x - widen, b.lower_y - widen, b.lower_z - widen, 0.0F);
-        node.high[k] = float4(b.upper_x + widen, b.upper_y + widen, b.upper_z + widen, 0.0F);
+        const glm::vec3 low(b.lower_x, b.lower_y, b.lower_z), high(b.upper_x, b.upper_y, b.upper_z);
+        const float wider = std::min(widen, widen_share * glm::compMax(glm::max(glm::abs(low), glm::abs(high))));
+        node.low[k] = float4(low - wider, 0.0F);
+        node.high[k] = float4(high + wider, 0.0F);
         if (child.count > 0) {
             node.child[k] = static_cast<int>(bvh_.leaves.size());
             node.count[k] = static_cast<int>(child.count);

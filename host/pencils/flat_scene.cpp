@@ -6,11 +6,13 @@
 #include <stdexcept>
 #include <utility>
 
+#include "scene/split_triangle.h"
+
 namespace pencil {
 
 namespace {
 
-/// Vertices this near a plane, relative to the scene's half extent, lie in it: the rounding of float input coordinates.
+/// Vertices this near a plane, in terms of the largest coordinate but at most of a scene unit, lie in it: the rounding of float coordinates.
 constexpr double coplanar = 2e-7;
 
 struct Plane3 {
@@ -29,7 +31,7 @@ Normalisation normalise(const Scene& scene) {
     for (const PointLight& light : scene.point_lights) grow(light.position);
     Normalisation n;
     if (low.x > high.x) return n;
-    n.centre = 0.5 * (low + high);
+    n.centre = glm::clamp(glm::dvec3(scene.sensor.to_world[3]), low, high);
     double extent = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
     if (extent > 0) n.scale = std::exp2(std::ceil(std::log2(extent)) - 1);  // extent / scale in (1, 2]
     return n;
@@ -46,8 +48,11 @@ Plane3 plane_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
 
 bool contains(const Plane3& plane, const Plane3& other, const glm::dvec3* corners) {
     if (glm::dot(plane.normal, other.normal) < 0.9) return false;
+    double largest = 0;
+    for (int k = 0; k < 3; ++k) largest = std::max({largest, std::abs(corners[k].x), std::abs(corners[k].y), std::abs(corners[k].z)});
+    const double tolerance = coplanar * std::min(largest, 1.0);
     for (int k = 0; k < 3; ++k)
-        if (std::abs(glm::dot(plane.normal, corners[k]) - plane.distance) > coplanar) return false;
+        if (std::abs(glm::dot(plane.normal, corners[k]) - plane.distance) > tolerance) return false;
     return true;
 }
 
@@ -83,18 +88,23 @@ private:
     std::map<std::pair<std::uint32_t, std::int64_t>, int> made_;  // by material and emitting shape, -1 for none
 };
 
+/// The vertex normal at barycentric weights; of shapes without, 0.
+glm::vec3 interpolated(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::dvec3& weights) {
+    const glm::vec3 w(weights), sum = w.x * a + w.y * b + w.z * c;
+    return glm::dot(sum, sum) > 0.0F ? glm::normalize(sum) : glm::vec3(0.0F);
+}
+
 void flatten_triangles(const Scene& scene, MaterialRows& rows, FlatScene& flat) {
     std::vector<glm::dvec3> points;
     points.reserve(scene.positions.size());
     for (const glm::dvec3& p : scene.positions) points.push_back(glm::dvec3(glm::vec3(flat.normalisation.to_scene(p))));
     bool smooth = std::any_of(scene.normals.begin(), scene.normals.end(), [](const glm::vec3& n) { return n != glm::vec3(0); });
+    const TriangleSplitter splitter(glm::dvec3(scene.sensor.to_world[3]), scene.sensor.near_clip);
     Plane3 last{};
     Triangle neighbour{};
     neighbour.shape = -1;
-    for (const Triangle3& t : scene.triangles) {
-        glm::dvec3 corners[3] = {points[t.corners.x], points[t.corners.y], points[t.corners.z]};
-        if (glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0])) == 0) continue;  // vanished in float
-        const Plane3 own = plane_of(corners[0], corners[1], corners[2]);
+    const auto add = [&](const Triangle3& t, const glm::dvec3* corners, const Plane3& own, const glm::dvec3* weights) {
+        if (glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0])) == 0) return;  // vanished in float
         const int shape = static_cast<int>(t.shape), row = rows.of(t);
         // Consecutive triangles of one shape and material share a plane: quads, cube faces, polygon fans, flat grids.
         if (shape != neighbour.shape || row != neighbour.material || !contains(last, own, corners)) {
@@ -104,8 +114,27 @@ void flatten_triangles(const Scene& scene, MaterialRows& rows, FlatScene& flat) 
         neighbour = {
             to_float4(corners[0]), to_float4(corners[1]), to_float4(corners[2]), static_cast<int>(flat.planes.size()) - 1, row, shape, 0};
         flat.triangles.push_back(neighbour);
-        if (smooth)
-            for (int k = 0; k < 3; ++k) flat.normals.push_back(float4(scene.normals[t.corners[k]], 0.0F));
+        const auto normal = [&](int k) { return scene.normals[t.corners[k]]; };
+        for (int k = 0; smooth && k < 3; ++k)
+            flat.normals.push_back(
+                float4(weights == nullptr ? normal(k) : interpolated(normal(0), normal(1), normal(2), weights[k]), 0.0F));
+    };
+    for (const Triangle3& t : scene.triangles) {
+        const glm::dvec3 *world = scene.positions.data(), corners[3] = {points[t.corners.x], points[t.corners.y], points[t.corners.z]};
+        const std::vector<TrianglePiece> pieces = splitter.split(world[t.corners.x], world[t.corners.y], world[t.corners.z]);
+        if (pieces.size() == 1) {
+            if (glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0])) > 0)
+                add(t, corners, plane_of(corners[0], corners[1], corners[2]), nullptr);
+            continue;
+        }
+        // Pieces lie in the plane of the whole: rounded corners of far ones would turn it.
+        const auto& to = flat.normalisation;
+        const Plane3 plane = plane_of(to.to_scene(world[t.corners.x]), to.to_scene(world[t.corners.y]), to.to_scene(world[t.corners.z]));
+        for (const TrianglePiece& piece : pieces) {
+            glm::dvec3 rounded[3];
+            for (std::size_t k = 0; k < 3; ++k) rounded[k] = glm::dvec3(glm::vec3(to.to_scene(piece.corner[k])));
+            add(t, rounded, plane, piece.weight.data());
+        }
     }
 }
 

@@ -23,10 +23,11 @@ glm::dvec3 triangle_point(std::uint64_t k, const glm::dvec2& shift) {
     return k % 3 == 0 ? b : k % 3 == 1 ? glm::dvec3(b.z, b.x, b.y) : glm::dvec3(b.y, b.z, b.x);
 }
 
-LightSample area_sample(const Triangle& t, const float4& plane, const glm::dvec3& radiance, double area, const glm::dvec3& b) {
+/// `area`: what the sample stands for; `near`: the same on average over its emitter, which says how near is near (light_sample.cl).
+LightSample area_sample(const Triangle& t, const float4& plane, const glm::dvec3& radiance, double area, double near, const glm::dvec3& b) {
     LightSample s{};
     s.position = float4(glm::vec3(b.x * glm::dvec3(t.v0) + b.y * glm::dvec3(t.v1) + b.z * glm::dvec3(t.v2)), 1.0F);
-    s.normal = float4(glm::vec3(plane), static_cast<float>(area / pi));
+    s.normal = float4(glm::vec3(plane), static_cast<float>(near / pi));
     s.emission = float4(glm::vec3(radiance * area), static_cast<float>(t.plane));
     return s;
 }
@@ -35,19 +36,82 @@ struct ShapeTriangles {
     std::size_t shape = 0;
     double area = 0;
     std::vector<const Triangle*> triangles;
-    std::vector<double> up_to;  // area of the triangles up to and with this one
+    std::vector<double> up_to;  // weight of the triangles up to and with this one: without receivers their area
+
+    double weight(std::size_t t) const { return up_to[t] - (t > 0 ? up_to[t - 1] : 0.0); }
 };
 
-std::vector<ShapeTriangles> emitting_shapes(const Scene& scene, const FlatScene& flat, const std::vector<LightForm>& forms) {
+/// Share of the samples that goes by area: what none of the receivers sees may light others.
+constexpr double share_by_area = 0.15;
+
+/// Light that a triangle would send to the receivers per area, if nothing stood between, in the mean.
+double importance(const Triangle& t, const float4& plane, const std::vector<LightReceiver>& receivers) {
+    const glm::dvec3 middle = (glm::dvec3(t.v0) + glm::dvec3(t.v1) + glm::dvec3(t.v2)) / 3.0, normal(plane);
+    const double area = glm::length(area_vector(t));
+    double sum = 0;
+    for (const LightReceiver& r : receivers) {
+        const glm::dvec3 step = glm::dvec3(r.position) - middle;
+        const double out = glm::dot(step, normal), in = -glm::dot(step, glm::dvec3(r.normal)), square = glm::dot(step, step);
+        if (out > 0 && in > 0) sum += out * in / (square * (square + area));
+    }
+    return sum;
+}
+
+/// Place along a curve that fills the cube about the shape and keeps neighbours together: bits of the three coordinates in turn (Morton 1966).
+std::uint64_t curve_place(const Triangle& t, const glm::dvec3& low, double inverse_size) {
+    const glm::dvec3 middle = (glm::dvec3(t.v0) + glm::dvec3(t.v1) + glm::dvec3(t.v2)) / 3.0;
+    const glm::uvec3 cell(glm::clamp((middle - low) * inverse_size, 0.0, 1.0) * 1023.0);
+    std::uint64_t place = 0;
+    for (unsigned bit = 10; bit-- > 0;)
+        for (int axis = 0; axis < 3; ++axis) place = place << 1U | (cell[axis] >> bit & 1U);
+    return place;
+}
+
+/// Samples are drawn at equal steps of area along the list: in this order they are spread over the shape, and so are its normals.
+void order_along_curve(std::vector<const Triangle*>& triangles) {
+    glm::dvec3 low(std::numeric_limits<double>::max()), high(-low);
+    for (const Triangle* t : triangles)
+        for (const float4& v : {t->v0, t->v1, t->v2}) {
+            low = glm::min(low, glm::dvec3(v));
+            high = glm::max(high, glm::dvec3(v));
+        }
+    const glm::dvec3 extent = high - low;
+    const double size = std::max({extent.x, extent.y, extent.z});
+    std::vector<std::pair<std::uint64_t, const Triangle*>> placed;
+    placed.reserve(triangles.size());
+    for (const Triangle* t : triangles) placed.emplace_back(curve_place(*t, low, size > 0 ? 1.0 / size : 0.0), t);
+    std::stable_sort(
+        placed.begin(), placed.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::transform(placed.begin(), placed.end(), triangles.begin(), [](const auto& p) { return p.second; });
+}
+
+/// Weights of the triangles, in the order of the list.
+void weigh(ShapeTriangles& e, const FlatScene& flat, const std::vector<LightReceiver>& receivers) {
+    std::vector<double> areas, weights;
+    double total = 0;
+    for (const Triangle* t : e.triangles) {
+        areas.push_back(glm::length(area_vector(*t)));
+        weights.push_back(areas.back() * importance(*t, flat.planes[static_cast<std::size_t>(t->plane)], receivers));
+        e.area += areas.back();
+        total += weights.back();
+    }
+    double sum = 0;
+    for (std::size_t i = 0; i < areas.size(); ++i)
+        e.up_to.push_back(sum += total > 0 ? share_by_area * areas[i] + (1 - share_by_area) * e.area * weights[i] / total : areas[i]);
+}
+
+std::vector<ShapeTriangles> emitting_shapes(const Scene& scene, const FlatScene& flat, const std::vector<LightForm>& forms,
+                                            const std::vector<LightReceiver>& receivers) {
     std::vector<ShapeTriangles> emitters;
     for (const Triangle& t : flat.triangles) {
         const auto shape = static_cast<std::size_t>(t.shape);
         if (!scene.shapes[shape].emits || forms[shape] != LightForm::samples || luminance(scene.shapes[shape].radiance) <= 0) continue;
         if (emitters.empty() || emitters.back().shape != shape) emitters.push_back({shape, 0, {}, {}});
-        ShapeTriangles& e = emitters.back();
-        e.area += glm::length(area_vector(t));
-        e.triangles.push_back(&t);
-        e.up_to.push_back(e.area);
+        emitters.back().triangles.push_back(&t);
+    }
+    for (ShapeTriangles& e : emitters) {
+        order_along_curve(e.triangles);
+        weigh(e, flat, receivers);
     }
     return emitters;
 }
@@ -58,17 +122,14 @@ struct ShapeSamples {
     std::uint64_t seed, turn;
 };
 
-/// Systematic in the area, so that each triangle gets its share to within one sample; low-discrepancy within the triangles and from one set
+/// Systematic in the weight, so that each triangle gets its share to within one sample; low-discrepancy within the triangles and from one set
 /// to the next.
 void sample_shape(const ShapeTriangles& e, const FlatScene& flat, const glm::dvec3& radiance, const ShapeSamples& own,
                   std::vector<LightSample>& samples) {
     const double start = fraction(random_unit(own.seed, 2, 0) + static_cast<double>(own.turn) * golden_ratio);
-    const double step = e.area / static_cast<double>(own.count);
+    const double step = e.up_to.back() / static_cast<double>(own.count);
     // Threes stay together: a turn has room for all that a triangle may get, rounded up to them.
-    const auto used = [&](std::size_t t) {
-        const double area = e.up_to[t] - (t > 0 ? e.up_to[t - 1] : 0.0);
-        return own.turn * 3 * static_cast<std::uint64_t>(std::ceil(area / step / 3.0));
-    };
+    const auto used = [&](std::size_t t) { return own.turn * 3 * static_cast<std::uint64_t>(std::ceil(e.weight(t) / step / 3.0)); };
     std::size_t triangle = 0;
     std::uint64_t within = used(0);
     for (long k = 0; k < own.count; ++k, ++within) {
@@ -76,7 +137,9 @@ void sample_shape(const ShapeTriangles& e, const FlatScene& flat, const glm::dve
         while (triangle + 1 < e.up_to.size() && e.up_to[triangle] <= at) within = used(++triangle);
         const Triangle& t = *e.triangles[triangle];
         const glm::dvec2 shift(random_unit(own.seed, 0, triangle), random_unit(own.seed, 1, triangle));
-        samples.push_back(area_sample(t, flat.planes[static_cast<std::size_t>(t.plane)], radiance, step, triangle_point(within, shift)));
+        const double area = step * glm::length(area_vector(t)) / e.weight(triangle), near = e.area / static_cast<double>(own.count);
+        samples.push_back(
+            area_sample(t, flat.planes[static_cast<std::size_t>(t.plane)], radiance, area, near, triangle_point(within, shift)));
     }
 }
 
@@ -94,7 +157,7 @@ std::vector<LightForm> choose_light_forms(const Scene& scene, bool all_samples, 
 }
 
 std::vector<LightSample> sample_lights(const Scene& scene, const FlatScene& flat, const std::vector<LightForm>& forms, int count,
-                                       std::uint64_t seed, std::uint64_t turn) {
+                                       std::uint64_t seed, std::uint64_t turn, const std::vector<LightReceiver>& receivers) {
     std::vector<LightSample> samples;
     const double scale = flat.normalisation.scale;
     for (const PointLight& light : scene.point_lights) {
@@ -104,7 +167,7 @@ std::vector<LightSample> sample_lights(const Scene& scene, const FlatScene& flat
         samples.push_back(s);
     }
     // Each emitting shape gets samples in proportion to its power, at least one, spread over its triangles by area.
-    std::vector<ShapeTriangles> emitters = emitting_shapes(scene, flat, forms);
+    std::vector<ShapeTriangles> emitters = emitting_shapes(scene, flat, forms, receivers);
     double total = 0;
     for (const ShapeTriangles& e : emitters) total += e.area * luminance(scene.shapes[e.shape].radiance);
     for (const ShapeTriangles& e : emitters) {
@@ -114,6 +177,12 @@ std::vector<LightSample> sample_lights(const Scene& scene, const FlatScene& flat
         sample_shape(e, flat, radiance, {own, hash64(seed) ^ e.shape, turn}, samples);
     }
     return samples;
+}
+
+bool has_detailed_emitters(const Scene& scene, const FlatScene& flat, const std::vector<LightForm>& forms) {
+    constexpr std::size_t quad = 2;
+    const std::vector<ShapeTriangles> emitters = emitting_shapes(scene, flat, forms, {});
+    return std::any_of(emitters.begin(), emitters.end(), [](const ShapeTriangles& e) { return e.triangles.size() > quad; });
 }
 
 std::vector<float> near_areas(const FlatScene& flat, const std::vector<LightSample>& samples) {

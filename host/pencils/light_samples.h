@@ -8,11 +8,20 @@
 
 namespace pencil {
 
+/// A point that light should reach, with the normal of its seen side.
+struct LightReceiver {
+    glm::vec3 position, normal;  // [scene units]
+};
+
 /// One sample per point light, and `count` (at least one per emitting shape) over the area emitters of form `samples`, in proportion
 /// to their power. Radiance is unchanged by the scene's scale; intensities and areas are turned into scene units. Sets of one seed in
-/// successive turns fill the emitters evenly.
+/// successive turns fill the emitters evenly. With `receivers`, the triangles of an emitter get samples as they would light these if nothing
+/// stood between, and a few by their area.
 std::vector<LightSample> sample_lights(const Scene& scene, const FlatScene& flat, const std::vector<LightForm>& forms, int count,
-                                       std::uint64_t seed, std::uint64_t turn = 0);
+                                       std::uint64_t seed, std::uint64_t turn = 0, const std::vector<LightReceiver>& receivers = {});
+
+/// True if which triangle is sampled makes a difference: some emitter of form `samples` has more than a quad.
+bool has_detailed_emitters(const Scene& scene, const FlatScene& flat, const std::vector<LightForm>& forms);
 
 /// Per row of materials: area over pi that each light sample of an emitter stands for [scene units^2]; infinite where there are none. Light
 /// samples carry the share r^2 / (r^2 + that) of the light to a point at distance r.

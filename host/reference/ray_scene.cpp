@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "scene/split_triangle.h"
 #include "util/error.h"
 
 namespace pencil {
@@ -54,7 +55,8 @@ RayScene::RayScene(const Scene& scene) {
     for (const SceneMaterial& material : scene.materials)
         materials_.push_back({material.model, material.albedo, material.two_sided, material.parameters});
     normalise(scene);
-    build(scene, add_triangles(scene));
+    build(add_triangles(scene));
+    vertices_ = {};
 }
 
 void RayScene::normalise(const Scene& scene) {
@@ -67,7 +69,7 @@ void RayScene::normalise(const Scene& scene) {
         for (int k = 0; k < 3; ++k) grow(scene.positions[t.corners[k]]);
     for (const PointLight& light : scene.point_lights) grow(light.position);
     if (low.x > high.x) return;
-    centre_ = 0.5 * (low + high);
+    centre_ = glm::clamp(glm::dvec3(scene.sensor.to_world[3]), low, high);
     const double extent = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
     if (extent > 0) scale_ = std::exp2(std::ceil(std::log2(extent)) - 1);
 }
@@ -79,28 +81,44 @@ std::vector<glm::uvec3> RayScene::add_triangles(const Scene& scene) {
     high_ = glm::dvec3(-HUGE_VAL);
     kept.reserve(scene.triangles.size());
     triangles_.reserve(scene.triangles.size());
-    for (const Triangle3& t : scene.triangles) {
-        glm::vec3 corners[3];
-        for (int k = 0; k < 3; ++k) corners[k] = glm::vec3(to_scene(scene.positions[t.corners[k]]));
+    for (const glm::dvec3& p : scene.positions) vertices_.push_back(glm::vec3(to_scene(p)));
+    const TriangleSplitter splitter(glm::dvec3(scene.sensor.to_world[3]), scene.sensor.near_clip);
+    const auto add = [&](const Triangle3& t, const glm::uvec3& indices, const TrianglePiece& piece) {
+        const glm::vec3 corners[3] = {vertices_[indices.x], vertices_[indices.y], vertices_[indices.z]};
         const glm::dvec3 edge1 = glm::dvec3(corners[1]) - glm::dvec3(corners[0]), edge2 = glm::dvec3(corners[2]) - glm::dvec3(corners[0]);
         const glm::dvec3 normal = glm::cross(edge1, edge2);
-        if (!(glm::length(normal) > 0)) continue;
+        if (!(glm::length(normal) > 0)) return;
         float size = 0;
         for (const glm::vec3& corner : corners) {
             size = std::max(size, largest_coordinate(corner));
             low_ = glm::min(low_, glm::dvec3(corner));
             high_ = glm::max(high_, glm::dvec3(corner));
         }
-        kept.push_back(t.corners);
+        kept.push_back(indices);
         triangles_.push_back({corners[0], edge1, edge2, glm::normalize(normal), offset_in_ulps * size, t.shape, t.material});
-        if (smooth)
-            for (int k = 0; k < 3; ++k) normals_.push_back(scene.normals[t.corners[k]]);
+        for (std::size_t k = 0; smooth && k < 3; ++k) {
+            const glm::vec3 w(piece.weight[k]);
+            normals_.push_back(w.x * scene.normals[t.corners.x] + w.y * scene.normals[t.corners.y] + w.z * scene.normals[t.corners.z]);
+        }
+    };
+    for (const Triangle3& t : scene.triangles) {
+        const std::vector<TrianglePiece> pieces =
+            splitter.split(scene.positions[t.corners.x], scene.positions[t.corners.y], scene.positions[t.corners.z]);
+        if (pieces.size() == 1) {
+            add(t, t.corners, pieces[0]);
+            continue;
+        }
+        for (const TrianglePiece& piece : pieces) {
+            const auto first = static_cast<std::uint32_t>(vertices_.size());
+            for (const glm::dvec3& p : piece.corner) vertices_.push_back(glm::vec3(to_scene(p)));
+            add(t, {first, first + 1, first + 2}, piece);
+        }
     }
     if (triangles_.empty()) low_ = high_ = glm::dvec3(0.0);
     return kept;
 }
 
-void RayScene::build(const Scene& scene, const std::vector<glm::uvec3>& corners) {
+void RayScene::build(const std::vector<glm::uvec3>& corners) {
     device_.reset(rtcNewDevice(nullptr));
     if (!device_) fail(rtcGetDeviceError(nullptr));
     bvh_.reset(rtcNewScene(device_.get()));
@@ -110,12 +128,12 @@ void RayScene::build(const Scene& scene, const std::vector<glm::uvec3>& corners)
     if (!corners.empty()) {
         const std::unique_ptr<std::remove_pointer_t<RTCGeometry>, Release> geometry(
             rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
-        auto* vertex = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                                       sizeof(glm::vec3), scene.positions.size()));
+        auto* vertex = static_cast<glm::vec3*>(
+            rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), vertices_.size()));
         auto* index = static_cast<glm::uvec3*>(
             rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(glm::uvec3), corners.size()));
         if (vertex == nullptr || index == nullptr) fail(rtcGetDeviceError(device_.get()));
-        for (const glm::dvec3& p : scene.positions) *vertex++ = glm::vec3(to_scene(p));
+        std::copy(vertices_.begin(), vertices_.end(), vertex);
         std::copy(corners.begin(), corners.end(), index);
         rtcCommitGeometry(geometry.get());
         rtcAttachGeometry(bvh_.get(), geometry.get());

@@ -14,7 +14,7 @@
 
 namespace pencil {
 
-/// Points and directions in scene units: recentred and scaled by a power of two so that coordinates are at most 1 in magnitude.
+/// Points and directions in scene units: recentred and scaled by a power of two so that coordinates are at most 2 in magnitude.
 struct Ray {
     glm::vec3 origin, direction;                       // any length
     float length = std::numeric_limits<float>::max();  // of the segment, in units of the direction
@@ -68,7 +68,7 @@ public:
 private:
     void normalise(const Scene& scene);
     std::vector<glm::uvec3> add_triangles(const Scene& scene);
-    void build(const Scene& scene, const std::vector<glm::uvec3>& corners);
+    void build(const std::vector<glm::uvec3>& corners);
     glm::vec3 shading_normal(std::uint32_t triangle, float u, float v, const RayHit& hit) const;
 
     struct Release {
@@ -78,6 +78,7 @@ private:
     };
     glm::dvec3 centre_{0.0}, low_{0.0}, high_{0.0};
     double scale_ = 1.0;
+    std::vector<glm::vec3> vertices_;  // while it is built
     std::vector<RayTriangle> triangles_;
     std::vector<glm::vec3> normals_;  // three per triangle, empty if no shape has vertex normals
     std::vector<SurfaceEmission> emission_;

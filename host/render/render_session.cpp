@@ -78,6 +78,7 @@ RenderStats RenderSession::stats() const {
     stats.explain.insert(stats.explain.end(), own.begin(), own.end());
     stats.stages = context_->clock.stages();
     stats.estimated_error = method_->estimated_error();
+    stats.certified = method_->certified_error();
     stats.device_peak_bytes = context_->kernels.device()->peak_allocated();
     stats.triangles = context_->flat.triangles.size();
     return stats;

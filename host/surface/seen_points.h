@@ -12,9 +12,11 @@ class SeenPoints {
 public:
     struct Point {
         glm::vec3 position, normal;  // [scene units]; normal 0: nothing is seen
+        float albedo;                // the largest component
     };
 
-    /// Reads the pencils that were appended to the set since the last call: places, normals and radii, which never change.
+    /// Reads the pencils of a set that were appended since the last call with it, which follows those with other sets: places, normals and radii,
+    /// which never change. All sets have maps of one width.
     void read_pencils(const SurfacePencils& set);
     /// Reads the surfels that were appended since the last call, in one transfer.
     void read_points(const Surfels& surfels);
@@ -26,6 +28,8 @@ public:
 
 private:
     std::size_t texels_ = 1;  // per pencil
+    const SurfacePencils* last_set_ = nullptr;
+    std::size_t before_ = 0;  // pencils of the sets before
     std::vector<SurfacePencil> pencils_;
     std::vector<Point> points_;
 };

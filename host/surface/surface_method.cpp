@@ -30,6 +30,12 @@ int coarsest_spacing(const Camera& film) {
 
 /// Texels draw from at most so many light samples.
 constexpr int most_texel_samples = 1 << 16;
+/// Rays of the world set for each one of the film pencils.
+constexpr double world_share = 0.4;
+/// Width of the maps of the world set.
+constexpr int least_world_map = 4, most_world_map = 32;
+/// Rays of film pencils for each path that checks the image: it costs as much as so many in ten, which see things together.
+constexpr double rays_per_check = 16;
 /// Time of the first world set, in terms of the time of the first pass without it.
 constexpr double world_work = 0.3;
 
@@ -47,7 +53,13 @@ int world_set_of(int index) {
 }
 
 /// A target that is never met ends here.
-constexpr int most_passes = 1 << 14;
+constexpr int most_passes = 256;
+/// The mean of all pixels is to be this much better known than each of them, if that does not take many passes: it is what is seen as too
+/// bright or too dark.
+constexpr double mean_share = 0.1;
+/// From so many passes on, an error that twice the passes do not lower to this share does not fall any more.
+constexpr int steady_passes = 64;
+constexpr double falling_share = 0.85;
 
 /// Layers of light: those of surfaces hardly gain from further passes.
 std::vector<std::string> light_layers(const std::vector<std::string>& aovs) {
@@ -70,7 +82,7 @@ SurfacePass surface_pass(int index, const RenderOptions& options, const Camera& 
     pass.light_samples =
         std::max(static_cast<int>(std::lround(0.5 * options.light_samples * std::clamp(0.5 * emitters, 1.0, 4.0) * grown(0.25))), 1);
     pass.texel_light_samples = std::min(16 * std::min(pass.light_samples, most_texel_samples), most_texel_samples);
-    pass.world.pencils = static_cast<int>(std::lround(std::min(options.pencils * std::min(grown(1.0), 64.0), 1048576.0)));
+    pass.world.pencils = static_cast<int>(std::lround(std::min(options.pencils * std::min(grown(0.5), 16.0), 1048576.0)));
     pass.world.light_draws = light_draws;
     pass.lattice.coarsest = coarsest_spacing(film) / (fine ? 2 : 1);
     pass.lattice.most_error = static_cast<float>((fine ? 0.178 : 0.26) * grown(-0.55));
@@ -87,7 +99,7 @@ MethodNeeds surface_needs(const Scene&, const std::vector<LightForm>&, const Ren
     return needs;
 }
 
-SurfaceMethod::SurfaceMethod(RenderContext& context) : context_(context), begun_(context.clock.seconds()) {
+SurfaceMethod::SurfaceMethod(RenderContext& context) : context_(context), begun_(context.clock.seconds()), check_(context) {
     for (std::size_t i = 0; i < context.forms.size(); ++i)
         emitters_ += context.scene.shapes[i].emits && context.forms[i] == LightForm::samples ? 1 : 0;
 }
@@ -123,7 +135,7 @@ bool SurfaceMethod::add_pass(const SurfacePass& pass) {
 }
 
 /// The world set of the passes from this one on, from what its frame shows.
-void SurfaceMethod::solve_world(const SurfacePass& pass, const FilmPixels& pixels) {
+void SurfaceMethod::place_world(const SurfacePass& pass, const FilmPixels& pixels) {
     const auto& device = context_.kernels.device();
     const std::uint64_t seed = hash64(hash64(context_.options.seed) + static_cast<std::uint64_t>(pass.world_set) + 1);
     const std::vector<LightSample> samples = sample_lights(context_.scene, context_.flat, context_.forms, pass.texel_light_samples, seed);
@@ -132,13 +144,18 @@ void SurfaceMethod::solve_world(const SurfacePass& pass, const FilmPixels& pixel
                          Buffer<float>(device, near_areas(context_.flat, samples), "near areas of emitters")};
     world_set_ = -1;    // until it is solved: it may be stopped before
     solver_ = nullptr;  // its memory first
-    solver_ = std::make_unique<SurfaceSolver>(context_.kernels, context_.device_scene, context_.flat, std::move(lights), pass.world,
-                                              context_.clock, static_cast<uint>(seed >> 32));
+    solver_ = std::make_unique<SurfaceSolver>(context_.kernels, context_.device_scene, std::move(lights), pass.world, context_.clock,
+                                              static_cast<uint>(seed >> 32));
     const int spacing = seed_spacing * coarsest_spacing(context_.flat.camera);
-    solver_->solve(seed_pencils(context_.kernels, pixels, spacing, film_map), context_.options.bounces, context_.options.tolerance);
+    if (context_.wanted(2)) solver_->place(seed_pencils(context_.kernels, pixels, spacing, film_map));
     context_.stats.world_pencils += static_cast<std::uint64_t>(solver_->world().count);
-    context_.stats.residual = solver_->residual();
     world_set_ = pass.world_set;
+}
+
+/// Width of the maps of the world set, a multiple of 4: as the last pass of the film says, so that the world's noise does not outweigh the film's.
+int SurfaceMethod::world_map() const {
+    const double texels = world_share * film_rays_ / std::max(solver_->world().count, 1);
+    return std::clamp(4 * static_cast<int>(std::lround(std::sqrt(texels) / 4)), least_world_map, most_world_map);
 }
 
 /// Adds all reflections from order 2 on, and of order 1 what light samples do not carry, to the frame, as one layer "indirect".
@@ -146,14 +163,25 @@ void SurfaceMethod::add_bounces(const SurfacePass& pass, const Turn& turn) {
     if (!context_.wanted(1)) return;
     if (frame_->film().surfels().count == 0) return frame_->finish_bounce(FilmLayers::indirect, 0, 0);  // passes have the same layers
     const FilmPixels pixels(frame_->film());
-    if (pass.world_set != world_set_) solve_world(pass, pixels);
+    if (pass.world_set != world_set_) place_world(pass, pixels);
+    solver_->solve(world_map(), context_.options.bounces, context_.options.tolerance, hash64(turn.seed) + turn.index);
+    context_.stats.residual = solver_->residual();
     FilmPencils film(context_.kernels, pixels, pass.lattice);
     const TexelPoints points{static_cast<uint>(turn.seed >> 32), static_cast<uint>(turn.index)};
     context_.clock.run("film pencils", [&] { film.refine(*solver_, points); });
     context_.stats.film_pencils += static_cast<std::uint64_t>(film.count());
     context_.clock.run("project film", [&] { film.project(frame_->outgoing()); });
     frame_->finish_bounce(FilmLayers::indirect, film.count(), 0);
+    const double rays = film_rays_ = static_cast<double>(film.count()) * pass.lattice.map * pass.lattice.map;
+    context_.clock.run("check error",
+                       [&] { check_.add(frame_->film(), static_cast<int>(rays / rays_per_check), hash64(turn.seed + 1) + turn.index); });
 }
+
+double SurfaceMethod::estimated_error() const {
+    return mean_.count() > 0 ? join_errors(mean_.relative_mean_square_error(), certified_error()) : std::numeric_limits<double>::infinity();
+}
+
+CertifiedError SurfaceMethod::certified_error() const { return mean_.count() > 0 ? check_.certify(mean_.beauty()) : CertifiedError(); }
 
 /// True if the next pass is not needed or would not end in time; `pace`: seconds per unit of work.
 bool SurfaceMethod::enough(double pace) {
@@ -163,13 +191,29 @@ bool SurfaceMethod::enough(double pace) {
         clock.set_fraction(std::min(clock.seconds() / options.seconds, 1.0));
         return clock.seconds() + pace * pass(index_).work > options.seconds;
     }
-    const double error = mean_.relative_mean_square_error();
+    const double error = estimated_error();
     if (mean_.count() >= 2) clock.set_fraction(std::min(options.target_error / error, 1.0));
     if (mean_.count() >= 2 && !std::isfinite(error)) {
         context_.stats.warnings.push_back("the image holds values that are not finite: stopped, the error is not known");
         return true;
     }
-    return error <= options.target_error || index_ >= most_passes;
+    const bool mean_known = index_ >= steady_passes || mean_.mean_standard_error() <= mean_share * std::sqrt(options.target_error);
+    if (mean_.count() >= 2 && error <= options.target_error && mean_known) return true;
+    const bool stuck =
+        error > options.target_error && index_ >= steady_passes && index_ == 2 * error_index_ && error > falling_share * last_error_;
+    if (stuck || index_ >= most_passes) {
+        context_.stats.warnings.push_back(fmt::format(
+            "stopped {} --target-error: the estimated relMSE is {:.2g} after {} passes{}, the mean known to {:.1g} %; --time S goes on, "
+            "more --pencils may help",
+            error > options.target_error ? "above" : "by", error, index_, stuck ? " and falls no further" : "",
+            100 * mean_.mean_standard_error()));
+        return true;
+    }
+    if ((index_ & (index_ - 1)) == 0) {
+        error_index_ = index_;
+        last_error_ = error;
+    }
+    return false;
 }
 
 std::vector<Layer> SurfaceMethod::snapshot() const {

@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "certify/error_check.h"
 #include "film/frame.h"
 #include "film/layer_mean.h"
 #include "film/method.h"
@@ -40,21 +41,27 @@ public:
     bool advance() override;
     std::vector<Layer> snapshot() const override;
     std::vector<Layer> take() override;
-    double estimated_error() const override { return mean_.relative_mean_square_error(); }
+    double estimated_error() const override;
+    CertifiedError certified_error() const override;
     std::vector<std::string> explain() const override;
 
 private:
     bool add_pass(const SurfacePass& pass);
     void add_bounces(const SurfacePass& pass, const Turn& turn);
-    void solve_world(const SurfacePass& pass, const FilmPixels& pixels);
+    void place_world(const SurfacePass& pass, const FilmPixels& pixels);
+    int world_map() const;
     bool enough(double pace);
     SurfacePass pass(int index) const { return surface_pass(index, context_.options, context_.flat.camera, emitters_); }
 
     RenderContext& context_;
-    int emitters_ = 0;  // shapes whose light is sampled
-    int index_ = 0;     // of the next pass
-    double begun_ = 0;  // when the last pass ended [s]
+    int emitters_ = 0;       // shapes whose light is sampled
+    int index_ = 0;          // of the next pass
+    double film_rays_ = 0;   // of the last one
+    int error_index_ = 0;    // passes, a power of two,
+    double last_error_ = 0;  // after which the error was estimated as this
+    double begun_ = 0;       // when the last pass ended [s]
     LayerMean mean_;
+    ErrorCheck check_;
     std::unique_ptr<Frame> frame_;  // of the pass in the making
     int world_set_ = -1;            // of the solver
     std::unique_ptr<SurfaceSolver> solver_;

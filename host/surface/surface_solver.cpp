@@ -36,21 +36,27 @@ glm::dvec3 power(const Buffer<float4>& irradiance) {
 
 }  // namespace
 
-SurfaceSolver::SurfaceSolver(Kernels& kernels, const DeviceScene& scene, const FlatScene& flat, SurfaceLights lights,
-                             const WorldQuality& quality, StageClock& clock, uint seed)
+SurfaceSolver::SurfaceSolver(Kernels& kernels, const DeviceScene& scene, SurfaceLights lights, const WorldQuality& quality,
+                             StageClock& clock, uint seed)
     : kernels_(kernels),
       scene_(scene),
       lights_(std::move(lights)),
       quality_(quality),
       clock_(clock),
       seed_(seed),
-      world_(kernels, scene, flat, quality.pencils, seed_) {}
+      world_(kernels, scene, quality.pencils, seed_) {}
 
-void SurfaceSolver::solve(const SurfacePencils& seeds, int orders, double tolerance) {
-    direct_ = orders < 0 || orders >= 2;
-    if (!direct_) return;  // film pencils see no reflections
+void SurfaceSolver::place(const SurfacePencils& seeds) {
     clock_.run(
-        "world pencils", [&] { world_.cover(seeds); });
+        "place world", [&] { world_.cover(seeds); });
+}
+
+void SurfaceSolver::solve(int map, int orders, double tolerance, std::uint64_t seed) {
+    direct_ = orders < 0 || orders >= 2;
+    if (!direct_ || world_.pencils().count == 0) return;  // film pencils see no reflections
+    seed_ = static_cast<uint>(hash64(seed) >> 32);
+    clock_.run(
+        "world pencils", [&] { world_.gather(map, seed); });
     clock_.run("world bounces", [&] { iterate(orders, tolerance); });
 }
 
@@ -88,9 +94,9 @@ void SurfaceSolver::gather(SurfacePencils& pencils, int first, int count, const 
 void SurfaceSolver::sum_light(bool emission, bool direct, Buffer<float4>& irradiance) {
     const SurfacePencils& pencils = world_.pencils();
     Buffer<float> outgoing = surfel_rgb(kernels_.device(), world_.surfels().capacity, "radiance to the world set");
-    if (emission) emit_hemispheres(kernels_, scene_, world_.surfels(), pencils, 0, lights_.near_texel, outgoing);
+    if (emission) emit_hemispheres(kernels_, scene_, world_.surfels(), world_.starts(), 0, lights_.near_texel, outgoing);
     if (direct) light(world_.surfels(), outgoing, seed_);
-    sum_hemispheres(kernels_, outgoing, world_.surfels().capacity, 0, 0, pencils.count, pencils.n, irradiance);
+    sum_hemispheres(kernels_, outgoing, world_.surfels().capacity, 0, 0, pencils.count, world_.map(), irradiance);
 }
 
 /// Step k is irradiance that the film's pencils reflect as order k + 2: it starts with emission, and reflected light of the
@@ -107,7 +113,7 @@ void SurfaceSolver::iterate(int orders, double tolerance) {
     for (int k = 1; k < most_iterations && (orders < 0 || k + 2 <= orders); ++k) {
         target.fill_zero();
         if (k == 1 && lights_.samples.maps.count > 0) sum_light(false, true, target);
-        transport_irradiance(kernels_, world_.surfels(), world_.links(), world.count, world.n, source, target, world.irradiance);
+        transport_irradiance(kernels_, world_.surfels(), world_.links(), world.count, world_.map(), source, target, world.irradiance);
         std::swap(source, target);
         // The series begins where all light has joined it.
         if (k == 1) series = {};

@@ -21,12 +21,14 @@ struct SurfaceLights {
 
 class SurfaceSolver {
 public:
-    SurfaceSolver(Kernels& kernels, const DeviceScene& scene, const FlatScene& flat, SurfaceLights lights, const WorldQuality& quality,
-                  StageClock& clock, uint seed);
+    SurfaceSolver(Kernels& kernels, const DeviceScene& scene, SurfaceLights lights, const WorldQuality& quality, StageClock& clock,
+                  uint seed);
 
-    /// Places the world set from what the texels of `seeds` see and iterates bounces. Orders of reflection up to `orders` (-1: until the
-    /// tolerance).
-    void solve(const SurfacePencils& seeds, int orders, double tolerance);
+    /// Places the world set from what the texels of `seeds` see.
+    void place(const SurfacePencils& seeds);
+
+    /// Gathers anew with maps of `map` x `map` texels and iterates bounces. Orders of reflection up to `orders` (-1: until the tolerance). Each seed sees other points.
+    void solve(int map, int orders, double tolerance, std::uint64_t seed);
 
     /// What pencils first .. first + count of a set see and receive, after solve().
     void gather(SurfacePencils& pencils, int first, int count, const TexelPoints& points);

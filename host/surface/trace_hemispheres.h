@@ -15,8 +15,9 @@ struct TexelPoints {
 };
 
 /// Operator Q for hemispheres: surfels, from first_surfel on, that the texels of pencils first .. first + count see, n x n per pencil.
-/// surfels.count becomes the end of them; they must have room. The scene must have its hierarchy.
+/// surfels.count becomes the end of them; they must have room. The scene must have its hierarchy. `map`: pencils share maps of this width,
+/// each has n x n texels of one; 0: each has its own.
 void trace_hemispheres(Kernels& kernels, const DeviceScene& scene, const SurfacePencils& pencils, int first, int count,
-                       const TexelPoints& points, Surfels& surfels, int first_surfel = 0);
+                       const TexelPoints& points, Surfels& surfels, int first_surfel = 0, int map = 0);
 
 }  // namespace pencil

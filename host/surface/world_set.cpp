@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "pencils/low_discrepancy.h"
 #include "surface/measure_hemispheres.h"
 
 namespace pencil {
@@ -16,104 +16,178 @@ namespace {
 constexpr float alike = 0.7F;
 /// A pencil is used up to this many spacings away.
 constexpr float reach = 1.4F;
-/// Rounds of pencils on what the last round sees: light goes round corners in that many steps at most until the fill.
-constexpr int most_rounds = 8;
-/// The world set has at most this many times the pencils asked for: small things in large rooms need more.
-constexpr int most_per_wish = 6;
-/// Width of the maps: they are read through the maps of film pencils only.
-constexpr int world_map = 8;
-/// Spacing of the pencils that fill what none reaches, relative to the others.
-constexpr float fill_spacing = 0.25F;
 /// Things seen from nearer than the spacing get closer pencils, but not closer than this share of it: light changes fast near contacts.
 constexpr float near_spacing = 0.5F;
+/// What is seen from far gets wider spacings, this share of the distance.
+constexpr float far_spacing = 0.15F;
+/// The spacing is one with which the first round adds so many of the pencils asked for. Neither area nor extent of the scene matter, only
+/// what is seen.
+constexpr double first_round = 0.4;
+/// All further rounds together.
+constexpr double further_rounds = 0.4;
+/// A round takes a spacing at least so many times as wide if its pencils would be more than they may be.
+constexpr float step_coarser = 1.3F;
+/// Rounds of pencils on what the last round sees: light goes round corners in that many steps at most until the fill.
+constexpr int most_rounds = 8;
+/// The fill adds at most so many pencils for each one asked for, this share of the spacing apart.
+constexpr double most_fill = 1;
+constexpr float fill_spacing = 0.25F;
+/// Width of the maps from the centres.
+constexpr int world_map = 8;
+/// A map of a pencil is shared by points that see blocks of it this wide.
+constexpr int share_map = 4;
+/// Spacings are ordered by powers of two of the width, up to so many.
+constexpr int most_octaves = 24;
+/// Spacings are at most as wide as the scene [scene units].
+constexpr float widest = 2;
+constexpr const char* seen_name = "surfels that the world set sees";
 /// Step of the order in which surfels are visited: a prime, so that all are, and so far that neighbours come far apart.
 constexpr std::size_t visit_stride = 7919;
-/// Points that dart throwing keeps in a square as wide as the spacing: discs of that diameter jam at a coverage of 0.547 (Feder 1980),
-/// and 0.547 * 4 / pi = 0.7.
-constexpr double darts_per_square = 0.7;
-
-double surface_area(const FlatScene& flat) {
-    return std::accumulate(
-        flat.triangles.begin(), flat.triangles.end(), 0.0, [](double sum, const Triangle& t) { return sum + glm::length(area_vector(t)); });
-}
 
 }  // namespace
 
-WorldSet::WorldSet(Kernels& kernels, const DeviceScene& scene, const FlatScene& flat, int wish, uint seed)
+WorldSet::WorldSet(Kernels& kernels, const DeviceScene& scene, int wish, uint seed)
     : kernels_(kernels),
       scene_(scene),
-      flat_(flat),
       wish_(wish),
       seed_(seed),
-      spacing_(static_cast<float>(std::sqrt(darts_per_square * surface_area(flat) / wish))),
       pencils_(kernels.device(), wish, world_map),
-      surfels_(kernels, wish * world_map * world_map, "surfels of the world set") {
-    surfels_.count = 0;
+      seen_surfels_(kernels, wish * world_map * world_map, "surfels of the world set") {
+    seen_surfels_.count = 0;
 }
 
 void WorldSet::cover(const SurfacePencils& seeds) {
-    Surfels first_seen(kernels_, seeds.count * seeds.texels(), "surfels of the seeds");
-    trace_hemispheres(kernels_, scene_, seeds, 0, seeds.count, {seed_}, first_seen);
-    SeenPoints by_seeds;
-    by_seeds.read_pencils(seeds);
-    by_seeds.read_points(first_seen);
-    PointThinner thinner(spacing_, alike);
-    int first = extend(first_seen, choose(by_seeds, 0, {}, thinner));
-    for (int round = 1; round < most_rounds && first < pencils_.count; ++round) {
-        seen_.read_points(surfels_);
-        first = extend(surfels_, choose(seen_, first * pencils_.texels(), {}, thinner));
+    seeds_ = seeds.count;
+    seen_surfels_.reserve(kernels_.device(), seeds_ * pencils_.texels(), seen_name);
+    trace_hemispheres(kernels_, scene_, seeds, 0, seeds_, {seed_}, seen_surfels_);
+    seen_.read_pencils(seeds);
+    seen_.read_points(seen_surfels_);
+    PointThinner thinner(widest, alike);
+    const auto most = [&](double per_wish) { return static_cast<std::size_t>(std::ceil(per_wish * wish_)); };
+    const float spacing = spacing_for(most(first_round));
+    extend(choose(0, {spacing, most(1.5 * first_round)}, thinner));
+    const std::size_t most_further = static_cast<std::size_t>(pencils_.count) + most(further_rounds);
+    for (int round = 1, from = 0; round < most_rounds && from < pencils_.count; ++round) {
+        const std::size_t rest = most_further - static_cast<std::size_t>(pencils_.count);
+        const ChosenSurfels chosen = choose((seeds_ + from) * pencils_.texels(), {spacing, rest / 2 + 1}, thinner);
+        from = pencils_.count;
+        extend(chosen);
     }
-    seen_.read_points(surfels_);
-    link();
-    PointThinner finer(fill_spacing * spacing_, alike);
-    int added = fill(surfels_, seen_, links_, finer);
-    added += fill(first_seen, by_seeds, link_surfels(kernels_, first_seen, pencils_, grid_), finer);
-    if (added > 0) link();
+    link_seen({fill_spacing * spacing, most(most_fill)});
 }
 
-/// The grid of the pencils so far, and which of them stand for what they see.
-void WorldSet::link() {
-    grid_ = DeviceGrid(kernels_.device(), seen_.pencils(), flat_);
+/// Finds the points that read each pencil, and puts more where what is seen lies beyond the reach of all: behind edges, in corners and near
+/// contacts. These gather from their own places.
+void WorldSet::link_seen(const Spacing& fill) {
+    grid_ = DeviceGrid(kernels_.device(), pencils_on_host());
+    const SurfaceLinks found = link_surfels(kernels_, seen_surfels_, pencils_, grid_);
+    const PointLinks links{found.pencils.read(), found.weights.read()};
+    shared_ = SharedPoints(seen_.points(), links, pencils_on_host(), static_cast<std::size_t>(seeds_),
+                           static_cast<std::size_t>(pencils_.texels()));
+    std::vector<bool> reached;
+    reached.reserve(links.pencils.size());
+    for (const glm::ivec4& link : links.pencils) reached.push_back(link.x >= 0 && link.y != LINK_LAST_RESORT);
+    PointThinner thinner(widest, alike);
+    const ChosenSurfels more = choose(0, fill, thinner, reached);
+    if (more.surfels.empty()) return;
+    extend(more);
+    grid_ = DeviceGrid(kernels_.device(), pencils_on_host());
+}
+
+/// The set's, without the seeds.
+std::vector<SurfacePencil> WorldSet::pencils_on_host() const { return {seen_.pencils().begin() + seeds_, seen_.pencils().end()}; }
+
+void WorldSet::gather(int map, std::uint64_t seed) {
+    const int draws = map * map / (share_map * share_map);
+    ChosenSurfels chosen;
+    for (std::size_t p = 0; p < sources_.size(); ++p)
+        for (const int drawn : shared_.draw(p, draws, seed)) {
+            const int point = drawn >= 0 ? drawn : sources_[p];
+            chosen.add(point, seen_.pencils()[static_cast<std::size_t>(seeds_) + p].key, seen_.viewer(static_cast<std::size_t>(point)));
+        }
+    map_ = map;
+    starts_ = SurfacePencils(kernels_.device(), 1, share_map);
+    place_surface_pencils(kernels_, seen_surfels_, chosen, starts_);
+    const int texels = pencils_.count * map * map;
+    if (surfels_.capacity < texels) surfels_ = Surfels(kernels_, texels, "surfels of the world set");
+    trace_hemispheres(kernels_, scene_, starts_, 0, starts_.count, {static_cast<uint>(hash64(seed) >> 32)}, surfels_, 0, map);
     links_ = link_surfels(kernels_, surfels_, pencils_, grid_);
 }
 
-/// Surfels that are seen, from number `first` on, but for those to skip, that the thinner keeps at its spacing, or closer near viewers.
-ChosenSurfels WorldSet::choose(const SeenPoints& seen, int first, const std::vector<bool>& skip, PointThinner& thinner) const {
-    const std::size_t begin = static_cast<std::size_t>(first), size = seen.points().size() - begin;
+/// Points from number `first` on, but for those to skip and what reflects nothing, with their spacings: close ones first, so that no wide
+/// pencil lies where close ones do, and otherwise so that neighbours come far apart.
+std::vector<WorldSet::SpacedPoint> WorldSet::by_spacing(int first, float width, const std::vector<bool>& skip) const {
+    const std::size_t begin = static_cast<std::size_t>(first), size = seen_.points().size() - begin;
     const std::size_t stride = size % visit_stride == 0 ? 1 : visit_stride;
-    ChosenSurfels chosen;
-    const int most = most_per_wish * wish_ - pencils_.count;
-    for (std::size_t k = 0, i = 0; k < size && static_cast<int>(chosen.surfels.size()) < most; ++k, i = (i + stride) % size) {
-        const auto& [p, n] = seen.points()[begin + i];
-        if (n == glm::vec3(0) || (!skip.empty() && skip[i])) continue;
-        const glm::vec3 viewer = seen.viewer(begin + i);
-        const float own = glm::clamp(glm::distance(p, viewer), near_spacing * thinner.most(), thinner.most());
-        if (!thinner.add(p, n, own)) continue;
-        chosen.add(first + static_cast<int>(i), static_cast<uint>(pencils_.count) + static_cast<uint>(chosen.surfels.size()), viewer,
-                   reach * own);
+    std::vector<std::vector<SpacedPoint>> octaves(most_octaves);
+    for (std::size_t k = 0, i = 0; k < size; ++k, i = (i + stride) % size) {
+        const SeenPoints::Point& point = seen_.points()[begin + i];
+        if (!(point.albedo > 0) || (!skip.empty() && skip[i])) continue;
+        const float distance = glm::distance(point.position, seen_.viewer(begin + i)),
+                    own = std::min(std::max(glm::clamp(distance, near_spacing * width, width), far_spacing * distance), widest);
+        if (!(own > 0)) continue;
+        const int octave = own <= width ? 0 : std::min(std::ilogb(own / width) + 1, most_octaves - 1);
+        octaves[static_cast<std::size_t>(octave)].push_back({own, begin + i});
     }
-    return chosen;
+    std::vector<SpacedPoint> points;
+    points.reserve(size);
+    for (const std::vector<SpacedPoint>& octave : octaves) points.insert(points.end(), octave.begin(), octave.end());
+    return points;
 }
 
-/// Places pencils on chosen surfels and traces them; the number of the first.
-int WorldSet::extend(const Surfels& surfels, const ChosenSurfels& chosen) {
+/// A spacing that keeps about `count` of the points, if there are as many.
+float WorldSet::spacing_for(std::size_t count) const {
+    double inverse = 0;
+    for (std::size_t i = 0; i < seen_.points().size(); ++i)
+        if (seen_.points()[i].albedo > 0) inverse += 1.0 / std::max(glm::distance(seen_.points()[i].position, seen_.viewer(i)), 1e-30F);
+    const float middle = static_cast<float>(static_cast<double>(seen_.points().size()) / std::max(inverse, 1e-30));
+    float spacing = 0.2F * middle;
+    for (int k = 0; k < 6; ++k) {
+        PointThinner thinner(widest, alike);
+        const double kept = static_cast<double>(choose(0, {spacing, 4 * count}, thinner).surfels.size());
+        const double factor = std::sqrt(kept / static_cast<double>(count));
+        if (std::abs(factor - 1.0) < 0.1) break;
+        spacing = std::max(spacing * static_cast<float>(std::clamp(factor, 0.4, 2.5)), 0.01F * middle);
+    }
+    return spacing;
+}
+
+/// Surfels that are seen, from number `first` on that the thinner keeps: closer ones near viewers, wider ones if there
+/// are too many.
+ChosenSurfels WorldSet::choose(int first, Spacing spacing, PointThinner& thinner, const std::vector<bool>& skip) const {
+    for (;;) {
+        PointThinner kept = thinner;
+        ChosenSurfels chosen;
+        const std::vector<SpacedPoint> points = by_spacing(first, spacing.width, skip);
+        std::size_t looked = 0;
+        for (const auto& [own, i] : points) {
+            if (chosen.surfels.size() > spacing.most) break;
+            ++looked;
+            const SeenPoints::Point& point = seen_.points()[i];
+            if (kept.add(point.position, point.normal, own))
+                chosen.add(static_cast<int>(i), static_cast<uint>(pencils_.count) + static_cast<uint>(chosen.surfels.size()),
+                           seen_.viewer(i), reach * own);
+        }
+        if (chosen.surfels.size() <= spacing.most || spacing.width >= widest) {
+            thinner = std::move(kept);
+            return chosen;
+        }
+        spacing.width *= std::max(step_coarser, std::sqrt(static_cast<float>(points.size()) / static_cast<float>(looked)) * 0.8F);
+    }
+}
+
+/// Places pencils on chosen surfels and traces them.
+void WorldSet::extend(const ChosenSurfels& chosen) {
     const int first = pencils_.count, count = static_cast<int>(chosen.surfels.size()), texels = pencils_.texels();
-    if (count == 0) return first;
-    place_surface_pencils(kernels_, surfels, chosen, pencils_);
+    if (count == 0) return;
+    sources_.insert(sources_.end(), chosen.surfels.begin(), chosen.surfels.end());
+    place_surface_pencils(kernels_, seen_surfels_, chosen, pencils_);
+    seen_surfels_.reserve(kernels_.device(), count * texels, seen_name);
+    const int at = (seeds_ + first) * texels;
+    trace_hemispheres(kernels_, scene_, pencils_, first, count, {seed_}, seen_surfels_, at);
+    measure_hemispheres(kernels_, seen_surfels_, at, first, count, pencils_);
     seen_.read_pencils(pencils_);
-    surfels_.reserve(kernels_.device(), count * texels, "surfels of the world set");
-    trace_hemispheres(kernels_, scene_, pencils_, first, count, {seed_}, surfels_, first * texels);
-    measure_hemispheres(kernels_, surfels_, first * texels, first, count, pencils_);
-    return first;
-}
-
-/// Pencils on surfels that none reaches by their links; how many.
-int WorldSet::fill(const Surfels& surfels, const SeenPoints& seen, const SurfaceLinks& links, PointThinner& thinner) {
-    std::vector<bool> reached;
-    for (const glm::ivec4& link : links.pencils.read()) reached.push_back(link.x >= 0 && link.y != LINK_LAST_RESORT);
-    const int before = pencils_.count;
-    extend(surfels, choose(seen, 0, reached, thinner));
-    return pencils_.count - before;
+    seen_.read_points(seen_surfels_);
 }
 
 }  // namespace pencil

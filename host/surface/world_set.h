@@ -6,6 +6,7 @@
 #include "surface/link_surfels.h"
 #include "surface/place_surface_pencils.h"
 #include "surface/seen_points.h"
+#include "surface/shared_points.h"
 #include "surface/trace_hemispheres.h"
 
 namespace pencil {
@@ -13,34 +14,58 @@ namespace pencil {
 class WorldSet {
 public:
     /// `wish`: about so many pencils if every surface reflects light that matters; `seed`: of the points within texels.
-    WorldSet(Kernels& kernels, const DeviceScene& scene, const FlatScene& flat, int wish, uint seed);
+    WorldSet(Kernels& kernels, const DeviceScene& scene, int wish, uint seed);
 
-    /// Places pencils on what the texels of `seeds` see, then on what those see, and so on, until all that is seen is covered; then more
-    /// where what is seen lies beyond the reach of all: behind edges, in corners and near contacts.
+    /// Places pencils on what the texels of `seeds` see, then on what those see, and so on, until all that is seen is covered.
     void cover(const SurfacePencils& seeds);
+    /// What all pencils see, each from some of the points that read it; other seeds, other points. Maps of `map` x `map` texels.
+    void gather(int map, std::uint64_t seed);
 
     SurfacePencils& pencils() { return pencils_; }
     const SurfacePencils& pencils() const { return pencils_; }
-    const Surfels& surfels() const { return surfels_; }  // what their texels see, texels() per pencil
     const DeviceGrid& grid() const { return grid_; }
-    const SurfaceLinks& links() const { return links_; }  // of the surfels
+
+    /// After gather: what the pencils' texels see, their number for each pencil, and which pencils light them.
+    const Surfels& surfels() const { return surfels_; }
+    int map() const { return map_; }
+    const SurfaceLinks& links() const { return links_; }
+    /// Where they see it from: `starts().texels()` of each map in turn.
+    const SurfacePencils& starts() const { return starts_; }
 
 private:
-    ChosenSurfels choose(const SeenPoints& seen, int first, const std::vector<bool>& skip, PointThinner& thinner) const;
-    int extend(const Surfels& surfels, const ChosenSurfels& chosen);
-    int fill(const Surfels& surfels, const SeenPoints& seen, const SurfaceLinks& links, PointThinner& thinner);
-    void link();
+    struct Spacing {
+        float width;       // [scene units]
+        std::size_t most;  // pencils
+    };
+    struct SpacedPoint {
+        float spacing;  // [scene units]
+        std::size_t index;
+    };
+
+    std::vector<SpacedPoint> by_spacing(int first, float width, const std::vector<bool>& skip) const;
+    float spacing_for(std::size_t count) const;
+    ChosenSurfels choose(int first, Spacing spacing, PointThinner& thinner, const std::vector<bool>& skip = {}) const;
+    void extend(const ChosenSurfels& chosen);
+    void link_seen(const Spacing& fill);
+    std::vector<SurfacePencil> pencils_on_host() const;
 
     Kernels& kernels_;
     const DeviceScene& scene_;
-    const FlatScene& flat_;
     int wish_;
     uint seed_;
-    float spacing_;
     SurfacePencils pencils_;
-    Surfels surfels_;
-    SeenPoints seen_;  // host copies of both
+    std::vector<int> sources_;  // of each pencil: the surfel that it was placed on
     DeviceGrid grid_;
+
+    // What the seeds see, then what the pencils see from their centres, and host copies of both with seeds and pencils.
+    int seeds_ = 0;
+    Surfels seen_surfels_;
+    SeenPoints seen_;
+    SharedPoints shared_;
+
+    int map_ = 0;
+    SurfacePencils starts_;
+    Surfels surfels_;
     SurfaceLinks links_;
 };
 

@@ -6,6 +6,7 @@
 #include "lib/bvh.cl"
 #include "lib/footprint.cl"
 #include "lib/packet.cl"
+#include "lib/rays.cl"
 #include "lib/surfel_packet.cl"
 #include "lib/triangle.cl"
 #include "lib/visibility.cl"
@@ -91,8 +92,28 @@ static inline int packet_beyond(const SurfelPacket *s, int own, float4 plane, fl
     return PACKET_BITS(PACKET_MASK(distance * copysign(1.0f, ahead) < -SHADOW_TOLERANCE) & PACKET_MASK(s->plane != own));
 }
 
+/// A centre so many times as far from the eye as a surfel is: rays that start at the centre would know the surfel's surroundings badly.
+#define FAR_CENTRE 256.0f
+/// Rays to a far centre end this share before it.
+#define FAR_END 0.9999f
+
+/// True if rays should start at the surfels. Scene units are centred on the eye.
+static inline bool centre_is_far(const SurfelPacket *s, float4 cop) {
+    float3 x = surfel_position(s, 0).xyz;
+    return dot(cop.xyz, cop.xyz) > FAR_CENTRE * FAR_CENTRE * dot(x, x);
+}
+
+/// Those of `open` that are seen from a far `cop`.
+static inline int settle_from_surfels(const SurfelPacket *s, const VisibilityMap *map, float4 cop, int open) {
+    vfloat end = select((vfloat)(-1.0f), (vfloat)(FAR_END), PACKET_FROM_BITS(open));
+    LaneRays rays = lane_rays(s->x, s->y, s->z, cop.x - s->x, cop.y - s->y, cop.z - s->z, s->plane, end);
+    lanes_trace(&rays, true, map->nodes, map->leaves, map->triangles, map->planes);
+    return open & ~PACKET_BITS(PACKET_MASK(rays.triangle >= 0));
+}
+
 /// Those of `open` that are seen from `cop`, by rays through the hierarchy of the scene.
 static inline int settle_by_rays(const SurfelPacket *s, const VisibilityMap *map, float4 cop, int open) {
+    if (open && centre_is_far(s, cop)) return settle_from_surfels(s, map, cop, open);
     RayPacket rays = ray_packet(s->x - cop.x, s->y - cop.y, s->z - cop.z);
     int stack[BVH_MOST_LEVELS + 1];
     int depth = 0;

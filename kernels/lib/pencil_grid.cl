@@ -36,19 +36,20 @@ static inline int block_reaches(global const float *block, float3 x, float3 n, v
     *cosine = fma(nx, (vfloat)(n.x), fma(ny, (vfloat)(n.y), nz * n.z));
     vfloat rise = fma(sx, nx + n.x, fma(sy, ny + n.y, sz * (nz + n.z)));
     vint reaches = PACKET_MASK(*distance < PACKET_LOAD(block + ENTRY_RADIUS * PENCIL_WIDTH)) & PACKET_MASK(*cosine >= REUSE_LEAST_COSINE);
-    *level = PACKET_BITS(reaches & PACKET_MASK(fabs(rise) <= 2.0f * REUSE_MOST_SLOPE * *distance + REUSE_TINY));
+    *level = PACKET_BITS(reaches & PACKET_MASK(fabs(rise) <= 2.0f * REUSE_MOST_SLOPE * *distance + position_error(x)));
     return PACKET_BITS(reaches);
 }
 
-static inline PencilLinks nearest_pencils(global const SurfacePencil *pencils, PencilGrid grid, global const int *starts,
-                                          global const float *entries, float3 x, float3 n) {
-    PencilLinks links = {{-1, -1, -1, -1}, {0.0f, 0.0f, 0.0f, 0.0f}};
-    int3 cell = convert_int3((x - grid.low.xyz) * grid.low.w);
-    cell = clamp(cell, (int3)(0), (int3)(grid.size_x - 1, grid.size_y - 1, grid.size_z - 1));
-    int at = (cell.z * grid.size_y + cell.y) * grid.size_x + cell.x;
-    float least = INFINITY;
-    int last = -1;
-    for (int e = starts[at]; e < starts[at + 1]; ++e) {
+/// The nearest pencil that may stand for a point where no other does.
+typedef struct LastResort {
+    int index;  // -1: none
+    float distance;
+} LastResort;
+
+/// The pencils of one slot of the grid.
+static inline void link_slot(global const SurfacePencil *pencils, global const float *entries, int first, int end, float3 x, float3 n,
+                             PencilLinks *links, LastResort *last) {
+    for (int e = first; e < end; ++e) {
         global const float *block = entries + (size_t)e * (ENTRY_FIELDS * PENCIL_WIDTH);
         global const int *index = (global const int *)(block + ENTRY_PENCIL * PENCIL_WIDTH);
         vfloat distance, cosine;
@@ -58,21 +59,54 @@ static inline PencilLinks nearest_pencils(global const SurfacePencil *pencils, P
         vfloat weight = closeness * closeness * cosine;
         for (int bits = level; bits; bits &= bits - 1) {
             int l = LOWEST_LANE(bits);
+            float own = LANE_FLOAT(weight, l);
+            if (!(own > links->weight[LINKS - 1])) continue;  // the horizon costs more than all before
             global const SurfacePencil *p = pencils + index[l];
-            if (clear_horizon(p, x - p->position.xyz)) insert_link(&links, index[l], LANE_FLOAT(weight, l));
+            if (clear_horizon(p, x - p->position.xyz)) insert_link(links, index[l], own);
         }
-        for (int bits = links.index[0] < 0 ? reached : 0; bits; bits &= bits - 1) {
+        for (int bits = links->index[0] < 0 ? reached : 0; bits; bits &= bits - 1) {
             int l = LOWEST_LANE(bits);
             global const SurfacePencil *p = pencils + index[l];
-            if (LANE_FLOAT(distance, l) >= least || !clear_horizon(p, x - p->position.xyz)) continue;
-            least = LANE_FLOAT(distance, l);
-            last = index[l];
+            if (LANE_FLOAT(distance, l) >= last->distance || !clear_horizon(p, x - p->position.xyz)) continue;
+            last->distance = LANE_FLOAT(distance, l);
+            last->index = index[l];
         }
+    }
+}
+
+/// The pencil that faces the same way and comes nearest to x in terms of its radius, -1 if none faces so: for the few points beyond the reach
+/// of all. Light that no pencil stands for would be lost, in every reflection.
+static inline int least_far_pencil(global const SurfacePencil *pencils, int count, float3 x, float3 n) {
+    float least = INFINITY;
+    int found = -1;
+    for (int i = 0; i < count; ++i) {
+        float3 step = x - pencils[i].position.xyz;
+        float radius = pencils[i].normal.w, far = dot(step, step) / (radius * radius);
+        if (!(far < least) || dot(pencils[i].normal.xyz, n) < REUSE_LEAST_COSINE) continue;
+        least = far;
+        found = i;
+    }
+    return found;
+}
+
+static inline PencilLinks nearest_pencils(global const SurfacePencil *pencils, PencilGrid grid, global const int *starts,
+                                          global const float *entries, float3 x, float3 n) {
+    PencilLinks links = {{-1, -1, -1, -1}, {0.0f, 0.0f, 0.0f, 0.0f}};
+    LastResort last = {-1, INFINITY};
+    float3 at = (x - grid.origin.xyz) * grid.origin.w;
+    float weight = grid.origin.w * grid.origin.w / (PENCIL_GRID_REACH * PENCIL_GRID_REACH);
+    for (int level = 0; level < grid.levels; ++level, at *= 0.5f, weight *= 0.25f) {
+        int3 cell = convert_int3_sat_rtn(at);
+        int slot = PENCIL_GRID_SLOT(cell.x, cell.y, cell.z, level, grid.slots);
+        link_slot(pencils, entries, starts[slot], starts[slot + 1], x, n, &links, &last);
+        // Wider pencils weigh 1 / radius^2 at most, and their radii exceed PENCIL_GRID_REACH cells of this level.
+        if (links.weight[LINKS - 1] >= weight) break;
     }
     float sum = links.weight[0] + links.weight[1] + links.weight[2] + links.weight[3];
     for (int k = 0; k < LINKS; ++k) links.weight[k] = sum > 0.0f ? links.weight[k] / sum : 0.0f;
-    if (sum == 0.0f && last >= 0) {
-        links.index[0] = last;
+    if (sum == 0.0f && last.index < 0) last.index = least_far_pencil(pencils, grid.count, x, n);
+    if (sum == 0.0f && last.index >= 0) {
+        links.index[0] = last.index;
         links.index[1] = LINK_LAST_RESORT;
         links.weight[0] = 1.0f;
     }

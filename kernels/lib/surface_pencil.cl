@@ -2,16 +2,18 @@
 // and Clear 1988, with the horizon of the pencil against light through walls).
 
 #include "lib/hemisphere.cl"
+#include "shared/geometry.h"
 #include "shared/surface_pencil.h"
 
 /// Normals further apart than this cosine are not interpolated.
 #define REUSE_LEAST_COSINE 0.5f
 /// A point may lie above or below the pencil's surface by this share of its distance.
 #define REUSE_MOST_SLOPE 0.4f
-/// Distances nearer than this are 0: rounding of positions [scene units].
-#define REUSE_TINY 1e-6f
 /// Weight of the turn of the normal against the step in position.
 #define REUSE_TURN 0.5f
+
+/// Distances below this are 0 at x: rounding of positions [scene units].
+static inline float position_error(float3 x) { return POSITION_ERROR * fmax(fabs(x.x), fmax(fabs(x.y), fabs(x.z))); }
 
 /// True if nothing at the horizon of the pencil lies between it and the point at `step` from it.
 static inline bool clear_horizon(global const SurfacePencil *p, float3 step) {
@@ -31,7 +33,7 @@ static inline float reuse_distance(global const SurfacePencil *p, float3 x, floa
     float3 normal = p->normal.xyz;
     if (dot(normal, n) < REUSE_LEAST_COSINE) return INFINITY;
     float distance = sqrt(square);
-    if (distance < REUSE_TINY) return 0.0f;
+    if (distance < position_error(x)) return 0.0f;
     if (fabs(dot(step, normal + n)) > 2.0f * REUSE_MOST_SLOPE * distance) return INFINITY;
     return clear_horizon(p, step) ? distance : INFINITY;
 }

@@ -1,5 +1,6 @@
-// Scene geometry as the kernels see it, in normalised scene units: the scene is recentred in double precision and scaled by a power
-// of two until its largest extent is in (1, 2], so rounding errors have one known size whatever the scene's own units are.
+// Scene geometry as the kernels see it, in normalised scene units: the scene is recentred in double precision, on the eye or the
+// point of the scene that is nearest to it, and scaled by a power of two until its largest extent is in (1, 2]. Rounding errors are in
+// proportion to coordinates, so they are small where things are seen from near (POSITION_ERROR).
 #pragma once
 
 #include "shared/types.h"
@@ -7,6 +8,9 @@
 // The two counts in Triangle.mates.
 #define MATES_BEFORE(mates) ((mates)&0xff)
 #define MATES_AFTER(mates) ((mates) >> 8)
+
+// Rounding of positions and of what is computed from them, in terms of the largest coordinate: some rounding errors of a float.
+#define POSITION_ERROR 1e-6f
 
 PENCIL_SHARED_BEGIN
 

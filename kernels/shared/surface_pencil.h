@@ -27,17 +27,29 @@ typedef struct SurfacePencil {
 } SurfacePencil;
 PENCIL_SHARED_TYPE(SurfacePencil)
 
-// Pencils sorted into the cells of a grid over the scene; a pencil is in every cell that its radius reaches. A cell is a run of blocks of
-// PENCIL_WIDTH entries, fields one after the other; the last block is filled with entries of radius 0.
+// Pencils by place, in levels of cells: those of a level are twice as wide as those of the level below. A pencil is on the lowest level
+// on which its radius is at most PENCIL_GRID_REACH cells, in every cell that it reaches, so pencils of all sizes are found in few cells. Cells are hashed into
+// the slots of their level. A slot is a run of blocks of PENCIL_WIDTH entries, fields one after the other; the last block is filled with
+// entries of radius 0.
 typedef struct PencilGrid {
-    float4 low;  // xyz: lowest corner; w: 1 / size of a cell [1 / scene units]
-    int size_x;  // cells along each axis
-    int size_y;
-    int size_z;
+    float4 origin;  // xyz: a corner of level 0 [scene units]; w: 1 / width of the cells of level 0 [1 / scene units]
+    int levels;
+    int slots;  // of each level, a power of two
+    int count;  // of all pencils
     int unused;
     //------------------------------------------------- 32 B
 } PencilGrid;
 PENCIL_SHARED_TYPE(PencilGrid)
+
+// A radius reaches at most so many cells of its level, and on all levels but the first more than half as many.
+#define PENCIL_GRID_REACH 2.0f
+// Each level's cells are so many times twice as wide as those of the level below.
+#define PENCIL_GRID_DOUBLINGS 1
+
+// Slot of a cell; cells that share one only cost time.
+#define PENCIL_GRID_SLOT(x, y, z, level, slots) \
+    ((int)(PENCIL_GRID_MIX((uint)(x) * 0x9e3779b1u ^ (uint)(y) * 0x85ebca77u ^ (uint)(z) * 0xc2b2ae3du) & (uint)((slots)-1)) + (level) * (slots))
+#define PENCIL_GRID_MIX(h) ((h) ^ ((h) >> 15) ^ ((h) >> 7))
 
 #define ENTRY_X 0  // position [scene units]
 #define ENTRY_Y 1

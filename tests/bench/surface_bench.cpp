@@ -40,8 +40,9 @@ void repack(const DeviceGrid& grid, std::vector<int>& starts, std::vector<float>
 
 WorldSet covered(Kernels& kernels, const DeviceScene& scene) {
     const Workbench& bench = workbench();
-    WorldSet world(kernels, scene, bench.flat, sizes().world, 0);
+    WorldSet world(kernels, scene, sizes().world, 0);
     world.cover(seed_pencils(kernels, FilmPixels(bench.film), std::min(seed_spacing, sizes().film / 4), world_map));
+    world.gather(world_map, 0);
     return world;
 }
 

@@ -30,7 +30,8 @@ static_assert(sizeof(Camera) == 80 && offsetof(Camera, width) == 64);
 static_assert(sizeof(BvhNode) == 80 && offsetof(BvhNode, child) == 64);
 static_assert(sizeof(Cluster) == 32);
 static_assert(sizeof(SurfacePencil) == 192 && offsetof(SurfacePencil, horizon_x) == 48 && offsetof(SurfacePencil, plane) == 176);
-static_assert(sizeof(PencilGrid) == 32 && offsetof(PencilGrid, size_x) == 16);
+static_assert(sizeof(Emitter) == 48 && offsetof(Emitter, triangle) == 32);
+static_assert(sizeof(PencilGrid) == 32 && offsetof(PencilGrid, levels) == 16);
 
 class SelfTest : public testing::TestWithParam<const char*> {
 protected:

@@ -24,13 +24,6 @@ Floor bumpy_floor(int pencils, int surfels, std::uint32_t seed) {
     return f;
 }
 
-FlatScene room() {
-    FlatScene flat;
-    flat.low = decltype(flat.low)(-0.75F);
-    flat.high = decltype(flat.high)(0.75F);
-    return flat;
-}
-
 struct HostLinks {
     std::vector<glm::ivec4> pencils;
     std::vector<float4> weights;
@@ -38,7 +31,7 @@ struct HostLinks {
 
 HostLinks link(const Floor& f) {
     Kernels kernels = make_kernels();
-    const SurfaceLinks links = link_surfels(kernels, f.surfels.on_device(), on_device(f.pencils), DeviceGrid(device(), f.pencils, room()));
+    const SurfaceLinks links = link_surfels(kernels, f.surfels.on_device(), on_device(f.pencils), DeviceGrid(device(), f.pencils));
     return {links.pencils.read(), links.weights.read()};
 }
 

@@ -8,10 +8,10 @@ namespace {
 using namespace pencil;
 using namespace pencil::test;
 
-/// A pencil lies nearer to its viewer by a hundredth of the distance, but at most 3e-5 scene units.
+/// A pencil lies nearer to its viewer by a hundredth of the distance, but at most 3e-5 of the largest coordinate.
 dvec3 placed_at(const dvec3& x, const dvec3& viewer) {
     const double distance = glm::distance(x, viewer);
-    return distance > 0.0 ? x + (viewer - x) / distance * std::min(0.01 * distance, 3e-5) : x;
+    return distance > 0.0 ? x + (viewer - x) / distance * std::min(0.01 * distance, 30.0 * ref::no_step(x)) : x;
 }
 
 struct Placed {

@@ -10,13 +10,6 @@ namespace {
 using namespace pencil;
 using namespace pencil::test;
 
-FlatScene room() {
-    FlatScene flat;
-    flat.low = decltype(flat.low)(-0.75F);
-    flat.high = decltype(flat.high)(0.75F);
-    return flat;
-}
-
 constexpr float start = 0.5F;  // what the surfels send before
 
 std::vector<float> project(const std::vector<SurfacePencil>& pencils, const std::vector<float4>& irradiance, const MadeSurfels& surfels) {
@@ -24,7 +17,7 @@ std::vector<float> project(const std::vector<SurfacePencil>& pencils, const std:
     SurfacePencils set = on_device(pencils);
     set.irradiance.write(irradiance);
     Buffer<float> outgoing = filled_rgb(surfels.capacity, start);
-    project_surface_pencils(kernels, surfels.on_device(), set, DeviceGrid(device(), pencils, room()), outgoing);
+    project_surface_pencils(kernels, surfels.on_device(), set, DeviceGrid(device(), pencils), outgoing);
     return outgoing.read();
 }
 

@@ -104,7 +104,7 @@ inline Fit fit(const Lattice& lattice, const std::vector<float4>& irradiance, in
     }
     const double w = moments[0][0];
     const double spread = moments[1][1] - moments[0][1] * moments[0][1] / w + moments[2][2] - moments[0][2] * moments[0][2] / w;
-    const double hold = slope_hold * spread + 1e-12;
+    const double hold = slope_hold * spread + w * no_step(x) * no_step(x);
     moments[1][1] += hold;
     moments[2][2] += hold;
     const glm::dmat3 solution = right * glm::inverse(moments);
@@ -120,7 +120,7 @@ struct Projected {
 };
 
 constexpr double least_error_share = 0.02;  // errors below this share of the greatest count alike
-constexpr double unlike_turn = 0.25;        // of 1 - cos against squared distances, where no pencil reaches
+constexpr double unlike_turn = 0.25;        // of 1 - cos against squared distances, in terms of that to the eye, where no pencil reaches
 
 /// Irradiance at a surfel of pixel (px, py): the mean of what the fits of its corners' pencils say there, weighted by tent and by
 /// 1/error - 1/most_error; where none reaches, the value of the most similar pencil; 0 where there are no pencils. fits: three per pencil.
@@ -142,7 +142,7 @@ inline Projected project(const Lattice& lattice, const std::vector<float4>& fits
             xyz(fits[3 * index]) + glm::dot(step, frame.t) * xyz(fits[3 * index + 1]) + glm::dot(step, frame.b) * xyz(fits[3 * index + 2]);
         sum += weight * glm::max(there, dvec3(0));
         weights += weight;
-        const double difference = glm::dot(step, step) + unlike_turn * (1.0 - glm::dot(xyz(p.normal), n));
+        const double difference = glm::dot(step, step) + unlike_turn * (1.0 - glm::dot(xyz(p.normal), n)) * glm::dot(x, x);
         if (difference < unlike) {
             next_unlike = unlike;
             unlike = difference;

@@ -52,7 +52,8 @@ inline double horizon_depth(const SurfacePencil& p, const dvec3& step, double& m
 
 constexpr double least_cosine = 0.5;  // of normals that stand for each other
 constexpr double most_slope = 0.4;    // of the step against the mean of both tangent planes
-constexpr double no_step = 1e-6;      // shorter steps are none [scene units]
+/// Shorter steps are none at x: rounding of positions [scene units].
+inline double no_step(const dvec3& x) { return 1e-6 * std::max({std::abs(x.x), std::abs(x.y), std::abs(x.z)}); }
 constexpr double turn_weight = 0.5;   // of the turn of the normal in Ward's error
 
 struct Reuse {
@@ -73,13 +74,13 @@ inline Reuse reuse(const SurfacePencil& p, const dvec3& x, const dvec3& n) {
     Reuse out;
     out.margin = std::abs(cosine - least_cosine);
     if (cosine < least_cosine) return out;
-    if (distance >= no_step) {
+    if (distance >= no_step(x)) {
         const double slope = std::abs(glm::dot(step, normal + n)) / (2.0 * distance);
         out.margin = std::min(out.margin, std::abs(slope - most_slope));
         if (slope > most_slope) return out;
         if (horizon_depth(p, step, out.margin) >= 1.0) return out;
     }
-    out.distance = distance < no_step ? 0.0 : distance;
+    out.distance = distance < no_step(x) ? 0.0 : distance;
     out.error = reuse_error(p, out.distance, n);
     return out;
 }

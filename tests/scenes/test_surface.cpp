@@ -85,7 +85,7 @@ class SurfaceLitWall : public testing::TestWithParam<Initial> {};
 TEST_P(SurfaceLitWall, UpToTheCorner) {
     RenderOptions options = surface_options(GetParam());
     options.bounces = 1;
-    options.target_error = 2e-4;
+    options.target_error = 1e-4;
     const RenderResult result = render_layers(lit_wall_box(), options, {"position"});
     const Layer &light = layer(result, ""), &position = layer(result, "position");
     for (const auto& [x, z] : {std::pair{0.5, 0.5}, {0.2, 0.5}, {0.05, 0.5}, {0.01, 0.5}, {0.02, 0.02}}) {

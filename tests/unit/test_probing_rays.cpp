@@ -68,11 +68,12 @@ TEST(SurfaceRays, TwoSidedSurfacesHaveRaysOnBothSidesButNotOutOfTheScene) {
     add_box(scene, dvec3(0.0), dvec3(1.0), both);
     add_quad(scene, "sheet", {0.5, 0.2, 0.2}, {0, 0.6, 0}, {0, 0, 0.6}, both);
     const FlatScene flat = flat_of(scene);
+    const double sheet = flat.normalisation.to_scene(dvec3(0.5)).x;
     int up = 0, down = 0;
     for (const ProbingRay& ray : surface_rays(flat, {0, 2, 0}, 0, many)) {
         const Segment segment = free_segment(flat, ray, 1e9);
         EXPECT_GT(segment.high - segment.low, 0.1);
-        if (std::abs(ray.origin.x) < 1e-6 && std::abs(ray.direction.x) > 0.5) ++(ray.direction.x > 0 ? up : down);
+        if (std::abs(ray.origin.x - sheet) < 1e-6 && std::abs(ray.direction.x) > 0.5) ++(ray.direction.x > 0 ? up : down);
     }
     EXPECT_NEAR(up, many * 0.36 / 12.72, 8.0);
     EXPECT_NEAR(down, many * 0.36 / 12.72, 8.0);

@@ -99,6 +99,43 @@ TEST(LightSamples, TurnsAreBetterThanSeeds) {
     EXPECT_LT(turns, 0.25 * seeds);
 }
 
+/// A lamp of two quads that face away from each other: with a receiver below, most samples lie on the lower one, and the light that they
+/// stand for is still that of both.
+TEST(LightSamples, GoWhereTheyLightTheReceivers) {
+    Scene scene;
+    Surface lamp;
+    lamp.radiance = glm::vec3(1.0F);
+    std::vector<Face> faces;
+    const glm::dvec3 corners[4] = {{0, 1, 0}, {1, 1, 0}, {1, 1, 1}, {0, 1, 1}};
+    for (const double height : {0.0, 0.1}) {
+        const glm::dvec3 up(0, height, 0);
+        const auto corner = [&](int k) { return corners[k] + up; };
+        if (height > 0) {
+            faces.push_back({corner(0), corner(3), corner(2)});
+            faces.push_back({corner(0), corner(2), corner(1)});
+        } else {
+            faces.push_back({corner(0), corner(1), corner(2)});
+            faces.push_back({corner(0), corner(2), corner(3)});
+        }
+    }
+    add_shape(scene, "lamp", faces, lamp);
+    look_at(scene, {0.5, 0, 0.5}, {0.5, 1, 0.5}, {0, 0, 1}, 60.0, 4, 4);
+    const std::vector<LightForm> forms(1, LightForm::samples);
+    const FlatScene flat = flatten(scene, forms, 4, 4);
+    const LightReceiver below{glm::vec3(flat.normalisation.to_scene({0.5, 0, 0.5})), glm::vec3(0, 1, 0)};
+    int low = 0, all = 0;
+    double power = 0;
+    for (std::uint64_t turn = 0; turn < 16; ++turn)
+        for (const LightSample& s : sample_lights(scene, flat, forms, 30, 7, turn, {below})) {
+            low += s.normal.y < 0 ? 1 : 0;
+            ++all;
+            power += static_cast<double>(s.emission.x);
+        }
+    EXPECT_NEAR(static_cast<double>(low) / all, 0.925, 0.03) << "half of the share that goes by area lies above";
+    const double scale = flat.normalisation.scale;
+    EXPECT_NEAR(power / 16, 2.0 / (scale * scale), 0.15);
+}
+
 TEST(PointThinner, KeepsSpacingsAndCovers) {
     constexpr float spacing = 0.1F, alike = 0.7F;
     PointThinner thinner(spacing, alike);

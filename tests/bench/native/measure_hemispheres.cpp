@@ -5,7 +5,7 @@
 namespace pencil::native {
 namespace {
 
-constexpr float tiny = 1e-7F;
+constexpr float tiny = 0.1F;  // of the rounding of positions
 
 struct Nearest {
     float distance = infinite;
@@ -33,7 +33,7 @@ void measure(const SurfelsView& surfels, int first, int n, SurfacePencil& pencil
         if (plane < 0) continue;
         const Vec3 step = vector_at(surfels, SURFEL_X, first + i) - at;
         const float distance = std::sqrt(dot(step, step));
-        inverse += 1.0F / std::max(distance, tiny);
+        inverse += 1.0F / std::max(distance, tiny * position_error(at));
         const int x = texel_x(i, n), y = texel_y(i, n);
         if (x > 0 && x < n - 1 && y > 0 && y < n - 1) continue;
         const int sector = ring_sector(static_cast<float>(2 * x + 1 - n), static_cast<float>(2 * y + 1 - n));
@@ -46,7 +46,7 @@ void measure(const SurfelsView& surfels, int first, int n, SurfacePencil& pencil
         pencil.horizon_x[s] = pencil.horizon_y[s] = 0.0F;
         if (nearest[s].plane < 0) continue;
         const Vec3 g = vector_at(surfels, SURFEL_GX, nearest[s].texel);
-        const float towards = std::min(dot(vector_at(surfels, SURFEL_X, nearest[s].texel) - at, g), -tiny);
+        const float towards = std::min(dot(vector_at(surfels, SURFEL_X, nearest[s].texel) - at, g), -tiny * position_error(at));
         pencil.horizon_x[s] = dot(g, t) / towards;
         pencil.horizon_y[s] = dot(g, b) / towards;
     }

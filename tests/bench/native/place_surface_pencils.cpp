@@ -13,7 +13,8 @@ void place_surface_pencils(const SurfelsView& surfels, const int* chosen, const 
                 const int i = chosen[k];
                 const Vec3 x = vector_at(surfels, SURFEL_X, i), n = vector_at(surfels, SURFEL_NX, i), g = vector_at(surfels, SURFEL_GX, i),
                            towards = xyz(views[k]) - x;
-                const float distance = std::sqrt(dot(towards, towards)), share = std::min(3e-5F / std::max(distance, 3e-5F), 1e-2F);
+                const float distance = std::sqrt(dot(towards, towards)), nearer = 30.0F * position_error(x),
+                            share = std::min(nearer / std::max(distance, nearer), 1e-2F);
                 SurfacePencil p{};
                 p.position = {x.x + towards.x * share, x.y + towards.y * share, x.z + towards.z * share, 0.0F};
                 p.normal = {n.x, n.y, n.z, views[k].w};

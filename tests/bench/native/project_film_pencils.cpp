@@ -30,7 +30,7 @@ inline float4v irradiance_at(const LatticeView& film, const float4* fits, float 
             sum += weight * positive(load4(fit[0]) + dot(step, t) * load4(fit[1]) + dot(step, b) * load4(fit[2]));
             weights += weight;
         }
-        const float unlike = dot(step, step) + (1.0F - dot(xyz(p.normal), n)) * 0.25F;
+        const float unlike = dot(step, step) + (1.0F - dot(xyz(p.normal), n)) * 0.25F * dot(x, x);
         if (unlike < least) {
             least = unlike;
             last = load4(fit[0]);

@@ -24,10 +24,10 @@ struct Sums {
         es += weight * s * irradiance;
         eu += weight * u * irradiance;
     }
-    void solve(float4* fit) const {
+    void solve(float tiny, float4* fit) const {
         const float ms = ws / w, mu = wu / w;
         float ss = wss - ms * ws, uu = wuu - mu * wu;
-        const float su = wsu - ms * wu, hold = slope_hold * (ss + uu) + 1e-12F;
+        const float su = wsu - ms * wu, hold = slope_hold * (ss + uu) + w * tiny * tiny;
         ss += hold;
         uu += hold;
         const float determinant = ss * uu - su * su;
@@ -66,7 +66,7 @@ void smooth_irradiance(const LatticeView& film, const float4* irradiance, float 
                         const Vec3 step = xyz(p.position) - x;
                         sums.add(std::max(1.0F - error / (2.0F * most_error), 0.0F), dot(step, t), dot(step, b), load4(irradiance[other]));
                     }
-                sums.solve(fits + 3 * static_cast<std::size_t>(index));
+                sums.solve(position_error(x), fits + 3 * static_cast<std::size_t>(index));
             }
         });
 }

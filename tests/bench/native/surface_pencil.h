@@ -37,7 +37,9 @@ inline int ring_sector(float x, float y) { return (x < 0.0F ? 4 : 0) | (y < 0.0F
 inline int texel_x(int i, int n) { return i / 16 % (n / 4) * 4 + i % 4; }
 inline int texel_y(int i, int n) { return i / 16 / (n / 4) * 4 + i % 16 / 4; }
 
-constexpr float least_cosine = 0.5F, most_slope = 0.4F, no_step = 1e-6F, turn = 0.5F;
+inline float position_error(const Vec3& x) { return 1e-6F * std::max(std::abs(x.x), std::max(std::abs(x.y), std::abs(x.z))); }
+
+constexpr float least_cosine = 0.5F, most_slope = 0.4F, turn = 0.5F;
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
 inline bool clear_horizon(const SurfacePencil& p, const Vec3& step) {
@@ -53,7 +55,7 @@ inline float reuse_distance(const SurfacePencil& p, const Vec3& x, const Vec3& n
     const Vec3 step = x - xyz(p.position), normal = xyz(p.normal);
     if (dot(normal, n) < least_cosine) return infinite;
     const float distance = std::sqrt(dot(step, step));
-    if (distance < no_step) return 0.0F;
+    if (distance < position_error(x)) return 0.0F;
     if (std::abs(dot(step, normal + n)) > 2.0F * most_slope * distance) return infinite;
     return clear_horizon(p, step) ? distance : infinite;
 }

@@ -1,0 +1,59 @@
+#include "certify/emitter_table.h"
+
+#include "image/colour.h"
+
+namespace pencil {
+
+namespace {
+
+/// Intensity of a uniform sphere of radiance L and area A is L A / 4.
+constexpr double sphere_area = 4;
+
+Emitter triangle_emitter(int triangle) {
+    Emitter e{};
+    e.triangle = triangle;
+    return e;
+}
+
+Emitter point_emitter(const PointLight& light, const Normalisation& normalisation) {
+    Emitter e{};
+    e.position = float4(glm::vec3(normalisation.to_scene(light.position)), 0.0F);
+    e.emission = float4(glm::vec3(glm::dvec3(light.intensity) / (normalisation.scale * normalisation.scale)), 0.0F);
+    e.triangle = -1;
+    return e;
+}
+
+}  // namespace
+
+EmitterTable tabulate_emitters(const Scene& scene, const FlatScene& flat) {
+    EmitterTable table;
+    std::vector<double> powers;
+    const auto add = [&](const Emitter& emitter, double power) {
+        if (!(power > 0)) return;
+        table.emitters.push_back(emitter);
+        powers.push_back(power);
+    };
+    for (std::size_t i = 0; i < flat.triangles.size(); ++i) {
+        const Triangle& t = flat.triangles[i];
+        const double emitted = luminance(glm::dvec3(flat.materials[static_cast<std::size_t>(t.material)].emission));
+        if (emitted > 0) add(triangle_emitter(static_cast<int>(i)), emitted * glm::length(area_vector(t)));
+    }
+    for (const double power : powers) table.power += power;
+    double total = table.power;
+    for (const PointLight& light : scene.point_lights) {
+        const Emitter emitter = point_emitter(light, flat.normalisation);
+        const double power = sphere_area * luminance(glm::dvec3(emitter.emission));
+        add(emitter, power);
+        total += power > 0 ? power : 0;
+    }
+    double so_far = 0;
+    for (std::size_t i = 0; i < powers.size(); ++i) {
+        so_far += powers[i];
+        table.emitters[i].chance = static_cast<float>(powers[i] / total);
+        table.emitters[i].emission.w = static_cast<float>(so_far / total);
+    }
+    table.power = total;  // densities are those of the choice among all
+    return table;
+}
+
+}  // namespace pencil

@@ -1,0 +1,125 @@
+#include "certify/error_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtx/component_wise.hpp>
+#include <numeric>
+
+#include "certify/emitter_table.h"
+#include "certify/film_draws.h"
+#include "image/relative_error.h"
+#include "pencils/low_discrepancy.h"
+
+namespace pencil {
+
+namespace {
+
+/// Paths of each of the two estimates of a pixel: the more at a pixel the less noise, as long as there are pixels enough to know how the error
+/// varies.
+constexpr int paths_per_estimate = 32;
+
+/// Mean and its standard error.
+struct Mean {
+    double value = 0, error = 0;
+};
+Mean mean_of(const std::vector<double>& values) {
+    const auto n = static_cast<double>(values.size());
+    Mean mean;
+    mean.value = std::accumulate(values.begin(), values.end(), 0.0) / n;
+    double squares = 0;
+    for (const double v : values) squares += (v - mean.value) * (v - mean.value);
+    mean.error = std::sqrt(squares / (n * std::max(n - 1, 1.0)));
+    return mean;
+}
+
+}  // namespace
+
+ErrorCheck::ErrorCheck(RenderContext& context) : context_(context) {
+    const EmitterTable table = tabulate_emitters(context.scene, context.flat);
+    lights_.count = static_cast<int>(table.emitters.size());
+    lights_.power = static_cast<float>(table.power);
+    lights_.emitters =
+        Buffer<Emitter>(context.kernels.device(), table.emitters.empty() ? std::vector<Emitter>(1) : table.emitters, "emitters");
+}
+
+/// Values of pixels, each by paths_per_estimate paths.
+std::vector<glm::dvec3> ErrorCheck::estimate(const Film& film, const std::vector<std::size_t>& pixels, std::uint64_t seed) const {
+    const FilmDraws draws(film);
+    std::vector<int> starts;
+    std::vector<float> weights;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        std::vector<FilmDraws::Draw> drawn = draws.draw(pixels[i], paths_per_estimate, random_unit(seed, 1, i));
+        drawn.resize(paths_per_estimate, {-1, 0.0F});
+        for (const FilmDraws::Draw& d : drawn) {
+            starts.push_back(d.surfel);
+            weights.push_back(d.weight);
+        }
+    }
+    const auto& device = context_.kernels.device();
+    Buffer<float> radiance(device, 3 * starts.size(), "radiance of check paths");
+    trace_checks(context_.kernels, context_.device_scene, film.surfels(), Buffer<int>(device, starts, "starts of check paths"), lights_,
+                 context_.options.bounces, static_cast<uint>(hash64(seed) >> 32), radiance);
+    const std::vector<float> found = radiance.read();
+    std::vector<glm::dvec3> values(pixels.size(), glm::dvec3(0));
+    for (std::size_t at = 0; at < starts.size(); ++at)
+        values[at / paths_per_estimate] += static_cast<double>(weights[at]) / paths_per_estimate *
+                                           glm::dvec3(found[at], found[starts.size() + at], found[2 * starts.size() + at]);
+    return values;
+}
+
+void ErrorCheck::add(const Film& film, int paths, std::uint64_t seed) {
+    const std::size_t looked = static_cast<std::size_t>(std::max(paths / (2 * paths_per_estimate), 1));
+    const glm::dvec2 shift(random_unit(seed, 0, 0), random_unit(seed, 0, 1));
+    std::vector<std::size_t> pixels;
+    for (const Point& p : half_done_) pixels.push_back(p.pixel);
+    for (std::size_t i = 0; i < looked; ++i) {
+        const glm::dvec2 u = r2_sequence(i, shift);
+        const auto x = static_cast<std::size_t>(u.x * film.width()), y = static_cast<std::size_t>(u.y * film.height());
+        pixels.push_back(y * static_cast<std::size_t>(film.width()) + x);
+    }
+    const std::vector<glm::dvec3> values = estimate(film, pixels, seed);
+    for (std::size_t i = 0; i < half_done_.size(); ++i) points_.push_back({pixels[i], half_done_[i].first, values[i]});
+    const bool only_film = points_.empty();
+    const std::size_t begin = half_done_.size();
+    half_done_.clear();
+    for (std::size_t i = begin; i < pixels.size(); ++i) half_done_.push_back({pixels[i], values[i], glm::dvec3(0)});
+    if (!only_film) return;
+    const std::vector<std::size_t> again(pixels.begin() + static_cast<std::ptrdiff_t>(begin), pixels.end());
+    const std::vector<glm::dvec3> second = estimate(film, again, hash64(seed));
+    for (std::size_t i = 0; i < again.size(); ++i) half_done_[i].second = second[i];
+}
+
+double join_errors(double spread, const CertifiedError& certified) {
+    if (certified.points < 2) return spread;
+    if (!std::isfinite(spread)) return std::max(certified.relmse, certified.standard_error);
+    const double more = std::max(certified.relmse - spread, 0.0), square = more * more;
+    const double noise = certified.standard_error * certified.standard_error;
+    return spread + (square > 0 ? more * square / (square + noise) : 0.0);
+}
+
+CertifiedError ErrorCheck::certify(const std::vector<float>& beauty) const {
+    CertifiedError error;
+    const double mean = std::accumulate(beauty.begin(), beauty.end(), 0.0) / static_cast<double>(beauty.size());
+    const std::vector<Point>& points = points_.empty() ? half_done_ : points_;
+    error.points = static_cast<int>(points.size());
+    if (points.size() < 2 || !(mean > 0)) return error;
+    std::vector<double> squares, steps;
+    for (const Point& p : points) {
+        double square = 0, step = 0;
+        for (int c = 0; c < 3; ++c) {
+            const double x = static_cast<double>(beauty[3 * p.pixel + static_cast<std::size_t>(c)]);
+            square += (x - p.first[c]) * (x - p.second[c]) / relative_to(x, mean) / 3;
+            step += (x - 0.5 * (p.first[c] + p.second[c])) / (3 * mean);
+        }
+        squares.push_back(square);
+        steps.push_back(step);
+    }
+    const Mean square = mean_of(squares), step = mean_of(steps);
+    error.relmse = square.value;
+    error.standard_error = square.error;
+    error.mean_bias = step.value;
+    error.mean_error = step.error;
+    return error;
+}
+
+}  // namespace pencil

@@ -1,0 +1,43 @@
+// The error of an image as light paths see it, which know nothing of how it was made. For a pixel of value x and two independent unbiased
+// estimates p1, p2 of its true value m, the mean of (x - p1)(x - p2) is (x - m)^2: noise, bias and all. Some hundred pixels with some hundred
+// paths each tell the error of the whole image, with an interval.
+#pragma once
+
+#include <vector>
+
+#include "certify/trace_checks.h"
+#include "film/film.h"
+#include "film/render_context.h"
+
+namespace pencil {
+
+/// Estimated relMSE from both sources: `spread`, among the passes, is precise and blind to what all passes share; infinite if there is one. What
+/// the check finds beyond it counts as far as it stands out of the check's noise.
+double join_errors(double spread, const CertifiedError& certified);
+
+class ErrorCheck {
+public:
+    explicit ErrorCheck(RenderContext& context);
+
+    /// Looks at some pixels with about `paths` paths in all: at those of the last call once more, and at new ones. The two estimates of a pixel
+    /// come from the visibility samples of two films, so that the error of these is seen, too. DeviceError, MemoryError.
+    void add(const Film& film, int paths, std::uint64_t seed);
+
+    /// Of `beauty`, rgb per pixel, against all that was looked at so far.
+    CertifiedError certify(const std::vector<float>& beauty) const;
+
+private:
+    struct Point {
+        std::size_t pixel;
+        glm::dvec3 first, second;  // independent estimates of its value
+    };
+
+    std::vector<glm::dvec3> estimate(const Film& film, const std::vector<std::size_t>& pixels, std::uint64_t seed) const;
+
+    RenderContext& context_;
+    CheckLights lights_;
+    std::vector<Point> points_;
+    std::vector<Point> half_done_;  // of the last call: both estimates from one film, which is better than nothing
+};
+
+}  // namespace pencil

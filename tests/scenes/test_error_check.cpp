@@ -1,0 +1,138 @@
+// Light paths that check images: they find closed forms, and the error that they certify is the true one, bias included.
+#include <cmath>
+
+#include "certify/error_check.h"
+#include "film/frame.h"
+#include "reference/path_tracer.h"
+#include "scenes/known_scenes.h"
+#include "scenes/scene_builder.h"
+#include "surface/surface_method.h"
+
+namespace {
+
+using namespace pencil;
+using namespace pencil::test;
+
+/// The check of one film of a scene, with the scene's own options.
+struct Checked {
+    explicit Checked(const Scene& shown, int bounces = -1)
+        : scene(shown), options(make_options(scene, bounces)), context(scene, options, surface_needs, device(), {}), check(context) {}
+
+    static RenderOptions make_options(const Scene& scene, int bounces) {
+        RenderOptions o;
+        o.aovs = {};
+        o = resolve(o, scene);
+        o.bounces = bounces;
+        return o;
+    }
+
+    void look(int paths, std::uint64_t seed) {
+        const Frame frame(context, {}, 1, 0, Turn{seed});
+        check.add(frame.film(), paths, seed);
+    }
+
+    Scene scene;
+    RenderOptions options;
+    RenderContext context;
+    ErrorCheck check;
+};
+
+std::vector<float> uniform_image(const Scene& scene, double value) {
+    return std::vector<float>(static_cast<std::size_t>(3 * scene.sensor.width * scene.sensor.height), static_cast<float>(value));
+}
+
+/// A room with a lamp, a point light, a block and a sheet that is lit from both sides.
+Scene room() {
+    Scene scene;
+    const Surface grey{glm::vec3(0.7F, 0.5F, 0.3F), glm::vec3(0.0F), false}, both{glm::vec3(0.4F), glm::vec3(0.0F), true};
+    for (int wall = 0; wall < 6; ++wall) add_wall(scene, wall, dvec3(-1), dvec3(1), grey);
+    add_box(scene, {-0.5, -1, -0.3}, {0, -0.2, 0.3}, grey, false);
+    add_quad(scene, "sheet", {0.3, -0.5, -0.2}, {0.4, 0.2, 0}, {0, 0.3, 0.4}, both);
+    add_quad(scene, "lamp", {-0.3, 0.95, -0.3}, {0.6, 0, 0}, {0, 0, 0.6}, {glm::vec3(0.0F), glm::vec3(8.0F, 7.0F, 6.0F), false});
+    scene.point_lights.push_back({{0.6, 0.2, 0.7}, glm::vec3(0.4F, 0.5F, 0.6F)});
+    look_at(scene, {0.1, 0.3, -0.9}, {0, -0.2, 1}, {0, 1, 0}, 80.0, 40, 30);
+    return scene;
+}
+
+std::vector<float> truth(const Scene& scene, int spp, std::uint64_t seed) {
+    ReferenceOptions options;
+    options.spp = spp;
+    options.seed = seed;
+    return trace_paths(scene, options).layers.front().pixels;
+}
+
+TEST(ErrorCheck, PathsFindTheFurnace) {
+    for (const float albedo : {0.0F, 0.5F, 0.9F}) {
+        const double expected = 1.0 / (1.0 - static_cast<double>(albedo));
+        Checked checked(furnace(albedo));
+        checked.look(1 << 15, 5);
+        const CertifiedError found = checked.check.certify(uniform_image(checked.scene, expected));
+        EXPECT_GT(found.points, 500);
+        EXPECT_NEAR(found.mean_bias, 0.0, 4.0 * found.mean_error + 1e-5) << "albedo " << albedo;
+        EXPECT_LT(found.mean_error, 5e-3);
+        EXPECT_NEAR(found.relmse, 0.0, 4.0 * found.standard_error + 1e-9);
+    }
+}
+
+TEST(ErrorCheck, OrdersEndWhereTheImageEnds) {
+    for (int bounces = 0; bounces <= 4; ++bounces) {
+        Checked checked(furnace(0.5F), bounces);
+        checked.look(1 << 15, 6);
+        const CertifiedError found = checked.check.certify(uniform_image(checked.scene, (1.0 - std::pow(0.5, bounces + 1)) / 0.5));
+        EXPECT_NEAR(found.mean_bias, 0.0, 4.0 * found.mean_error + 1e-5) << bounces << " bounces";
+    }
+}
+
+TEST(ErrorCheck, AgreesWithThePathTracer) {
+    Checked checked(room());
+    checked.look(1 << 17, 7);
+    const CertifiedError found = checked.check.certify(truth(checked.scene, 1024, 3));
+    EXPECT_NEAR(found.mean_bias, 0.0, 4.0 * found.mean_error);
+    EXPECT_LT(found.mean_error, 0.01);
+}
+
+/// An image that is off by a known amount, by noise or by a corner that is too bright: the interval holds it nearly always.
+TEST(ErrorCheck, TheIntervalHoldsTheTruth) {
+    Checked checked(room());
+    const std::vector<float> good = truth(checked.scene, 2048, 3), noisy = truth(checked.scene, 4, 4);
+    std::vector<float> with_bias = good;
+    const int width = checked.scene.sensor.width;
+    for (std::size_t i = 0; i < with_bias.size(); ++i)
+        if (static_cast<int>(i / 3) % width < width / 3) with_bias[i] *= 1.3F;
+    const std::vector<float>& biased = with_bias;
+    double mean = 0;
+    for (const float v : good) mean += static_cast<double>(v) / static_cast<double>(good.size());
+    for (const std::vector<float>* image : {&noisy, &biased}) {
+        double expected = 0;
+        for (std::size_t i = 0; i < good.size(); ++i) {
+            const double x = static_cast<double>((*image)[i]), step = x - static_cast<double>(good[i]);
+            expected += step * step / (x * x + 0.01 * mean * mean) / static_cast<double>(good.size());
+        }
+        int held = 0;
+        constexpr int runs = 40;
+        for (int run = 0; run < runs; ++run) {
+            ErrorCheck fresh(checked.context);
+            const auto seed = static_cast<std::uint64_t>(run);
+            fresh.add(Frame(checked.context, {}, 1, 0, Turn{seed}).film(), 1 << 15, seed);
+            const CertifiedError found = fresh.certify(*image);
+            if (std::abs(found.relmse - expected) <= interval_errors * found.standard_error) ++held;
+        }
+        EXPECT_GE(held, 34) << "of " << runs << ", true relMSE " << expected;
+    }
+}
+
+TEST(ErrorCheck, BothSourcesAreJoined) {
+    CertifiedError certified;
+    EXPECT_EQ(join_errors(0.01, certified), 0.01) << "nothing was checked";
+    certified.points = 100;
+    certified.relmse = 0.5;
+    certified.standard_error = 0.01;
+    EXPECT_NEAR(join_errors(0.01, certified), 0.5, 0.01) << "a bias that stands out counts in full";
+    certified.relmse = 0.02;
+    EXPECT_LT(join_errors(0.01, certified), 0.02) << "noise of the check counts little";
+    certified.relmse = -0.02;
+    EXPECT_EQ(join_errors(0.01, certified), 0.01);
+    EXPECT_EQ(join_errors(std::numeric_limits<double>::infinity(), certified), 0.01) << "one pass: what the check can tell";
+}
+
+}  // namespace

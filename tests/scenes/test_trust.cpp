@@ -1,0 +1,76 @@
+// Rooms on which renderers that reuse light go wrong (scenes/trust): the surface method against the path tracer, mean and claimed error.
+#include <cmath>
+#include <numeric>
+
+#include "reference/path_tracer.h"
+#include "scene/formats/load_scene.h"
+#include "scenes/scene_builder.h"
+
+namespace {
+
+using namespace pencil;
+using namespace pencil::test;
+
+struct Hard {
+    const char* name;
+    std::vector<std::pair<std::string, std::string>> defines;
+    double target;     // --target-error
+    double tolerance;  // of the mean, beside the noise of both
+};
+
+void PrintTo(const Hard& hard, std::ostream* out) { *out << hard.name; }
+
+Scene load(const Hard& hard) {
+    LoadOptions options;
+    options.defines = {hard.defines.begin(), hard.defines.end()};
+    options.defines["width"] = "48";
+    options.defines["height"] = "36";
+    return load_scene(std::filesystem::path(PENCIL_SOURCE_DIR) / "scenes" / "trust" / (std::string(hard.name) + ".xml"), options);
+}
+
+double mean(const std::vector<float>& pixels) {
+    return std::accumulate(pixels.begin(), pixels.end(), 0.0) / static_cast<double>(pixels.size());
+}
+
+class Trust : public testing::TestWithParam<Hard> {};
+
+TEST_P(Trust, MeanIsThePathTracers) {
+    const Scene scene = load(GetParam());
+    ReferenceOptions reference;
+    reference.spp = 256;
+    double expected = 0, noise = 0;
+    for (std::uint64_t seed : {1, 2}) {
+        reference.seed = seed;
+        const double m = mean(trace_paths(scene, reference).layers.front().pixels);
+        noise += (seed == 1 ? m : -m) / 2;
+        expected += m / 2;
+    }
+    RenderOptions options;
+    options.target_error = GetParam().target;
+    const RenderResult result = render_layers(scene, options);
+    EXPECT_NEAR(mean(layer(result, "").pixels) / expected, 1.0, GetParam().tolerance + 3.0 * std::abs(noise) / expected);
+    EXPECT_TRUE(std::isfinite(result.stats.estimated_error));
+    EXPECT_LT(result.stats.passes, 400) << "there is an end";
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Trust,
+                         testing::Values(Hard{"outdoor-rooms", {}, 4e-3, 0.06}, Hard{"tunnel", {}, 2e-3, 0.03},
+                                         Hard{"ground-plane", {{"extent", "1e6"}}, 5e-3, 0.03},
+                                         Hard{"far-light", {{"distance", "1e4"}, {"size", "2.5e3"}}, 1e-2, 0.05},
+                                         Hard{"bright-room", {{"albedo", "0.97"}}, 1e-2, 0.025}, Hard{"contacts", {}, 1e-2, 0.02},
+                                         Hard{"coincident", {}, 1e-2, 0.02}));
+
+/// The image hardly depends on how far the ground goes on.
+TEST(TrustScale, GroundPlanesOfAllSizes) {
+    RenderOptions options;
+    options.target_error = 4e-3;
+    std::vector<double> means;
+    for (const char* extent : {"1e2", "1e4", "1e6"}) {
+        const Scene scene = load({"ground-plane", {{"extent", extent}}, 0, 0});
+        means.push_back(mean(layer(render_layers(scene, options), "").pixels));
+    }
+    EXPECT_NEAR(means[1] / means[0], 1.0, 0.03);
+    EXPECT_NEAR(means[2] / means[0], 1.0, 0.03);
+}
+
+}  // namespace
