@@ -4,7 +4,6 @@
 #include "shared/camera.h"
 #include "shared/geometry.h"
 
-
 /// Bounds of the projection of the part of a triangle (corners relative to the pinhole) that is further in front of it than `nearest`:
 /// (min px, min py, max px, max py).
 /// `to_film` rows give px, py and depth of a point as (row0 . p) / (row2 . p), (row1 . p) / (row2 . p), row2 . p.

@@ -19,7 +19,8 @@ static inline float2 horizon_line(global const float *surfels, size_t capacity, 
     global const float *s = surfels + i;
     float3 g = (float3)(s[SURFEL_GX * capacity], s[SURFEL_GY * capacity], s[SURFEL_GZ * capacity]), t, b;
     tangent_frame(pencil->normal.xyz, &t, &b);
-    return (float2)(dot(g, t), dot(g, b)) / fmin(dot(step_to_surfel(surfels, capacity, i, pencil), g), -HORIZON_TINY * position_error(pencil->position.xyz));
+    return (float2)(dot(g, t), dot(g, b)) /
+           fmin(dot(step_to_surfel(surfels, capacity, i, pencil), g), -HORIZON_TINY * position_error(pencil->position.xyz));
 }
 
 /// launch : 1-D, one work-item per pencil of first_pencil ..

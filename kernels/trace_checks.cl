@@ -13,8 +13,8 @@
 
 /// Reflections after which a path may end.
 #define CHECK_SURE_ORDERS 3
-/// Where nothing is lost paths would never end.
-#define CHECK_MOST_ORDERS 65536
+/// Where nothing is lost paths would never end. At an albedo of 0.999 a sixtieth of the light is beyond.
+#define CHECK_MOST_ORDERS 4096
 /// Segments to emitters end this share before them.
 #define CHECK_SHADOW_END 0.9999f
 
@@ -66,8 +66,9 @@ static inline int find_emitter(global const Emitter *emitters, int count, float 
 }
 
 /// A segment to a point of an emitter, and the radiance that the vertex reflects if nothing stands between; 0 if it sends none.
-static inline float3 aim_check(CheckPath *p, global const Emitter *emitters, int emitter_count, float power, global const Triangle *triangles,
-                               global const float4 *planes, global const Material *materials, float3 *segment) {
+static inline float3 aim_check(CheckPath *p, global const Emitter *emitters, int emitter_count, float power,
+                               global const Triangle *triangles, global const float4 *planes, global const Material *materials,
+                               float3 *segment) {
     float u = check_random(p), v = check_random(p), w = check_random(p);
     *segment = (float3)(0.0f);
     global const Emitter *e = emitters + find_emitter(emitters, emitter_count, u);
@@ -134,41 +135,62 @@ static inline void arrive(CheckPath *p, float3 direction, int triangle, float di
     p->throughput *= reflects ? brdf_albedo(m, towards) : (float3)(0.0f);
 }
 
-/// Light from one sample of the emitters to each path's vertex.
-static inline void light_vertices(CheckPath *paths, global const Emitter *emitters, int emitter_count, float power, global const BvhNode *nodes,
-                                  global const int *leaves, global const Triangle *triangles, global const float4 *planes,
-                                  global const Material *materials) {
-    float o[3][PENCIL_WIDTH], d[3][PENCIL_WIDTH], end[PENCIL_WIDTH];
+/// Rays from the vertices along `directions` up to `end`; none where that is below 0.
+static inline LaneRays rays_of_paths(const CheckPath *paths, const float3 *directions, const float *end) {
+    float o[3][PENCIL_WIDTH], d[3][PENCIL_WIDTH];
     int own[PENCIL_WIDTH];
-    float3 light[PENCIL_WIDTH];
     for (int l = 0; l < PENCIL_WIDTH; ++l) {
-        CheckPath *p = paths + l;
-        float3 segment = (float3)(0.0f);
-        light[l] = any(p->throughput > 0.0f) ? aim_check(p, emitters, emitter_count, power, triangles, planes, materials, &segment) : (float3)(0.0f);
-        o[0][l] = p->position.x;
-        o[1][l] = p->position.y;
-        o[2][l] = p->position.z;
-        d[0][l] = segment.x;
-        d[1][l] = segment.y;
-        d[2][l] = segment.z;
-        own[l] = p->plane;
+        o[0][l] = paths[l].position.x;
+        o[1][l] = paths[l].position.y;
+        o[2][l] = paths[l].position.z;
+        d[0][l] = directions[l].x;
+        d[1][l] = directions[l].y;
+        d[2][l] = directions[l].z;
+        own[l] = paths[l].plane;
+    }
+    return lane_rays(PACKET_LOAD(o[0]), PACKET_LOAD(o[1]), PACKET_LOAD(o[2]), PACKET_LOAD(d[0]), PACKET_LOAD(d[1]), PACKET_LOAD(d[2]),
+                     PACKET_LOAD(own), PACKET_LOAD(end));
+}
+
+/// Light from one sample of the emitters to each path's vertex.
+static inline void light_vertices(CheckPath *paths, global const Emitter *emitters, int emitter_count, float power,
+                                  global const BvhNode *nodes, global const int *leaves, global const Triangle *triangles,
+                                  global const float4 *planes, global const Material *materials) {
+    float3 light[PENCIL_WIDTH], segments[PENCIL_WIDTH];
+    float end[PENCIL_WIDTH];
+    for (int l = 0; l < PENCIL_WIDTH; ++l) {
+        segments[l] = light[l] = (float3)(0.0f);
+        if (any(paths[l].throughput > 0.0f))
+            light[l] = aim_check(paths + l, emitters, emitter_count, power, triangles, planes, materials, segments + l);
         end[l] = any(light[l] > 0.0f) ? CHECK_SHADOW_END : -1.0f;
     }
-    LaneRays rays = lane_rays(PACKET_LOAD(o[0]), PACKET_LOAD(o[1]), PACKET_LOAD(o[2]), PACKET_LOAD(d[0]), PACKET_LOAD(d[1]), PACKET_LOAD(d[2]),
-                              PACKET_LOAD(own), PACKET_LOAD(end));
+    LaneRays rays = rays_of_paths(paths, segments, end);
     lanes_trace(&rays, true, nodes, leaves, triangles, planes);
     for (int l = 0; l < PENCIL_WIDTH; ++l)
         if (end[l] > 0.0f && LANE_INT(rays.triangle, l) < 0) paths[l].sum += light[l];
 }
 
+/// Ends the path by Russian roulette, or gives it a direction. False if it has ended.
+static inline bool go_on(CheckPath *p, int order, float3 *direction) {
+    *direction = (float3)(0.0f);
+    if (order > CHECK_SURE_ORDERS) {
+        float survival = fmin(fmax(p->throughput.x, fmax(p->throughput.y, p->throughput.z)), 1.0f);
+        p->throughput = survival > 0.0f && check_random(p) < survival ? p->throughput / survival : (float3)(0.0f);
+    }
+    if (any(p->throughput > 0.0f)) *direction = next_direction(p);
+    if (dot(*direction, p->facing) > 0.0f) return true;
+    p->throughput = (float3)(0.0f);
+    return false;
+}
+
 /// launch : 1-D, one work-item per packet of PENCIL_WIDTH paths
 /// in     : surfels; starts[path_count]: the surfel of each path, -1: none; emitters[emitter_count] and their power, luminance of radiance times
-///          area summed [scene units^2], 0 if no triangle emits; orders: reflections at most, -1: no limit; seed; the scene
+///          area summed, a point light as a small sphere [scene units^2]; orders: reflections at most, -1: no limit; seed; the scene
 /// out    : radiance[3][path_count]: an estimate of what each surfel sends to the eye [W m^-2 sr^-1]
-kernel void trace_checks(global const float *surfels, int capacity, global const int *starts, int path_count, global const Emitter *emitters,
-                         int emitter_count, float power, int orders, uint seed, global const BvhNode *nodes, global const int *leaves,
-                         global const Triangle *triangles, global const float4 *planes, global const Material *materials,
-                         global const float4 *normals, global float *radiance) {
+kernel void trace_checks(global const float *surfels, int capacity, global const int *starts, int path_count,
+                         global const Emitter *emitters, int emitter_count, float power, int orders, uint seed, global const BvhNode *nodes,
+                         global const int *leaves, global const Triangle *triangles, global const float4 *planes,
+                         global const Material *materials, global const float4 *normals, global float *radiance) {
     int first = get_global_id(0) * PENCIL_WIDTH;
     if (first >= path_count) return;
     CheckPath paths[PENCIL_WIDTH];
@@ -178,37 +200,21 @@ kernel void trace_checks(global const float *surfels, int capacity, global const
     int most = orders < 0 ? CHECK_MOST_ORDERS : orders;
     for (int order = 1; order <= most; ++order) {
         if (emitter_count > 0) light_vertices(paths, emitters, emitter_count, power, nodes, leaves, triangles, planes, materials);
-        float o[3][PENCIL_WIDTH], d[3][PENCIL_WIDTH], end[PENCIL_WIDTH];
-        int own[PENCIL_WIDTH], alive = 0;
+        float3 directions[PENCIL_WIDTH];
+        float end[PENCIL_WIDTH];
+        bool alive = false;
         for (int l = 0; l < PENCIL_WIDTH; ++l) {
-            CheckPath *p = paths + l;
-            float3 direction = (float3)(0.0f);
-            if (order > CHECK_SURE_ORDERS) {
-                float survival = fmin(fmax(p->throughput.x, fmax(p->throughput.y, p->throughput.z)), 1.0f);
-                p->throughput = survival > 0.0f && check_random(p) < survival ? p->throughput / survival : (float3)(0.0f);
-            }
-            bool goes_on = any(p->throughput > 0.0f);
-            if (goes_on) direction = next_direction(p);
-            if (!(dot(direction, p->facing) > 0.0f)) goes_on = false;
-            if (!goes_on) p->throughput = (float3)(0.0f);
-            alive |= goes_on;
-            o[0][l] = p->position.x;
-            o[1][l] = p->position.y;
-            o[2][l] = p->position.z;
-            d[0][l] = direction.x;
-            d[1][l] = direction.y;
-            d[2][l] = direction.z;
-            own[l] = p->plane;
+            bool goes_on = go_on(paths + l, order, directions + l);
             end[l] = goes_on ? INFINITY : -1.0f;
+            alive |= goes_on;
         }
         if (!alive) break;
-        LaneRays rays = lane_rays(PACKET_LOAD(o[0]), PACKET_LOAD(o[1]), PACKET_LOAD(o[2]), PACKET_LOAD(d[0]), PACKET_LOAD(d[1]), PACKET_LOAD(d[2]),
-                                  PACKET_LOAD(own), PACKET_LOAD(end));
+        LaneRays rays = rays_of_paths(paths, directions, end);
         lanes_trace(&rays, false, nodes, leaves, triangles, planes);
         for (int l = 0; l < PENCIL_WIDTH; ++l)
             if (end[l] > 0.0f)
-                arrive(paths + l, (float3)(d[0][l], d[1][l], d[2][l]), LANE_INT(rays.triangle, l), LANE_FLOAT(rays.nearest, l), power, triangles,
-                       planes, materials, normals);
+                arrive(paths + l, directions[l], LANE_INT(rays.triangle, l), LANE_FLOAT(rays.nearest, l), power, triangles, planes,
+                       materials, normals);
     }
     for (int l = 0; l < PENCIL_WIDTH && first + l < path_count; ++l) {
         radiance[first + l] = paths[l].sum.x;

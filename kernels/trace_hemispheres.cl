@@ -16,8 +16,8 @@
 ///          points, as fractions of 2^32: a digital shift, so that a sequence of them fills each texel as evenly as it fills the square
 /// out    : surfels, structure of arrays of `capacity`, entry k of pencil first_pencil + p at first_surfel + p * texels + k
 /// needs  : n a multiple of 4, texels a multiple of the blocks' size. Texels below the geometric horizon of a pencil see nothing.
-kernel void trace_hemispheres(global const SurfacePencil *pencils, int first_pencil, int pencil_count, int texels, int n, uint seed, uint2 shift,
-                              global const BvhNode *nodes, global const int *leaves, global const Triangle *triangles,
+kernel void trace_hemispheres(global const SurfacePencil *pencils, int first_pencil, int pencil_count, int texels, int n, uint seed,
+                              uint2 shift, global const BvhNode *nodes, global const int *leaves, global const Triangle *triangles,
                               global const float4 *planes, global const Material *materials, global const float4 *normals,
                               global float *surfels, int capacity, int first_surfel) {
     int first = get_global_id(0) * PENCIL_WIDTH;

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""trust.py PENCIL [--random N] [--seed S] [--keep DIR] [--reference-time S] [NAME ...]: is it right, and does it know when it is not?
+"""trust.py PENCIL [--random N] [--seed S] [--keep DIR] [--reference-time S] [--limit S] [NAME ...]: is it right, and does it know when it is not?
 
 Renders the scenes of scenes/trust (or those named), or N random rooms, with default options, and compares with `pencil reference`, two seeds of it:
 mean ratio with the reference's standard error, true and estimated relMSE, seconds. References are kept in DIR and used again. Ends with 1 if a mean is
-off by more than 1 % and three standard errors, or an error is more than twice what is claimed. Random rooms of one seed are the same everywhere.
+off by more than 1 % and three standard errors, an error is more than twice what is claimed, or a render takes longer than the limit. Random rooms of one seed are the same everywhere.
 Needs python3-numpy and python3-openimageio."""
 import argparse
 import json
@@ -74,7 +74,8 @@ def random_room(rng, folder, name):
 class Trust:
     def __init__(self, arguments, folder):
         self.pencil, self.folder, self.budget = arguments.pencil, folder, arguments.reference_time
-        self.off = self.low = self.count = 0
+        self.limit = arguments.limit
+        self.off = self.low = self.endless = self.count = 0
 
     def reference(self, name, scene, defines):
         files = [self.folder / f'{name}-reference-{seed}.exr' for seed in (1, 2)]
@@ -95,7 +96,13 @@ class Trust:
         error = max(abs(one.mean() - two.mean()) / 2 / mean, math.sqrt(((one - two)**2).sum()) / 2 / truth.size / mean)
         image, stats = self.folder / f'{name}.exr', self.folder / f'{name}.json'
         begun = time.time()
-        run = subprocess.run([self.pencil, 'render', scene, '-o', image, '--stats', stats, '--quiet', *defines], capture_output=True, text=True)
+        try:
+            run = subprocess.run([self.pencil, 'render', scene, '-o', image, '--stats', stats, '--quiet', *defines], capture_output=True, text=True,
+                                 timeout=self.limit)
+        except subprocess.TimeoutExpired:
+            self.count, self.endless = self.count + 1, self.endless + 1
+            print(f'| {name} | no end in {self.limit:.0f} s |  |  |  |', flush=True)
+            return
         seconds = time.time() - begun
         if run.returncode:
             raise SystemExit(f'{name}: {run.stderr}')
@@ -115,6 +122,7 @@ def main():
     parser.add_argument('--seed', type=int, default=random.SystemRandom().randrange(1 << 30))
     parser.add_argument('--keep')
     parser.add_argument('--reference-time', type=float, default=20)
+    parser.add_argument('--limit', type=float, default=60)
     arguments = parser.parse_args()
     folder = pathlib.Path(arguments.keep or tempfile.mkdtemp())
     folder.mkdir(parents=True, exist_ok=True)
@@ -128,9 +136,10 @@ def main():
         for name, *defines in scenes:
             if not arguments.names or name in arguments.names:
                 trust.measure('-'.join([name, *defines]), TRUST / f'{name}.xml', defines)
-    print(f'{trust.count} scenes: {trust.off} off by more than 1 % and three standard errors, {trust.low} with more than twice the claimed error; '
+    print(f'{trust.count} scenes: {trust.off} off by more than 1 % and three standard errors, {trust.low} with more than twice the claimed error, '
+          f'{trust.endless} without end; '
           f'seed {arguments.seed}, files in {folder}')
-    return 1 if trust.off or trust.low else 0
+    return 1 if trust.off or trust.low or trust.endless else 0
 
 
 if __name__ == '__main__':

@@ -27,32 +27,25 @@ Emitter point_emitter(const PointLight& light, const Normalisation& normalisatio
 
 EmitterTable tabulate_emitters(const Scene& scene, const FlatScene& flat) {
     EmitterTable table;
-    std::vector<double> powers;
+    std::vector<double> up_to;
     const auto add = [&](const Emitter& emitter, double power) {
         if (!(power > 0)) return;
         table.emitters.push_back(emitter);
-        powers.push_back(power);
+        up_to.push_back(table.power += power);
     };
     for (std::size_t i = 0; i < flat.triangles.size(); ++i) {
         const Triangle& t = flat.triangles[i];
-        const double emitted = luminance(glm::dvec3(flat.materials[static_cast<std::size_t>(t.material)].emission));
-        if (emitted > 0) add(triangle_emitter(static_cast<int>(i)), emitted * glm::length(area_vector(t)));
+        add(triangle_emitter(static_cast<int>(i)),
+            luminance(glm::dvec3(flat.materials[static_cast<std::size_t>(t.material)].emission)) * glm::length(area_vector(t)));
     }
-    for (const double power : powers) table.power += power;
-    double total = table.power;
     for (const PointLight& light : scene.point_lights) {
         const Emitter emitter = point_emitter(light, flat.normalisation);
-        const double power = sphere_area * luminance(glm::dvec3(emitter.emission));
-        add(emitter, power);
-        total += power > 0 ? power : 0;
+        add(emitter, sphere_area * luminance(glm::dvec3(emitter.emission)));
     }
-    double so_far = 0;
-    for (std::size_t i = 0; i < powers.size(); ++i) {
-        so_far += powers[i];
-        table.emitters[i].chance = static_cast<float>(powers[i] / total);
-        table.emitters[i].emission.w = static_cast<float>(so_far / total);
+    for (std::size_t i = 0; i < up_to.size(); ++i) {
+        table.emitters[i].chance = static_cast<float>((up_to[i] - (i > 0 ? up_to[i - 1] : 0.0)) / table.power);
+        table.emitters[i].emission.w = static_cast<float>(up_to[i] / table.power);
     }
-    table.power = total;  // densities are those of the choice among all
     return table;
 }
 

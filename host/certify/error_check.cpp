@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtx/component_wise.hpp>
 #include <numeric>
 
 #include "certify/emitter_table.h"

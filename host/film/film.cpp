@@ -35,7 +35,6 @@ Film::Film(Kernels& kernels, const DeviceScene& scene, const Camera& camera, con
     const auto& device = kernels.device();
     const std::vector<glm::vec2> offsets = film_sample_offsets(samples_, turn.seed, turn.index);
     table_ = tabulate_filter(filter, offsets);
-    reach_ = table_.reach;
     offsets_ = Buffer<glm::vec2>(device, offsets, "film sample offsets");
     weights_ = Buffer<float>(device, table_.weights, "filter weights");
     totals_ = Buffer<float>(device, table_.totals, "filter totals");

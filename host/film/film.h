@@ -41,7 +41,7 @@ private:
                                                                                                       first_row, rows);
     }
     auto pixels() const { return std::tie(slots_, counts_, first_surfel_); }
-    auto filter() const { return std::tie(weights_, totals_, reach_, samples_); }
+    auto filter() const { return std::tie(weights_, totals_, table_.reach, samples_); }
 
     void classify(Kernels& kernels, const DeviceScene& scene, int first_row, int rows);
     void write_surfels(Kernels& kernels, const DeviceScene& scene, int first_row, int rows);
@@ -50,7 +50,6 @@ private:
     Camera camera_;
     int samples_;
     int strip_rows_;
-    int reach_ = 0;
     bool has_empty_ = false;
     Buffer<glm::vec2> offsets_;
     Buffer<Hit> hits_;  // of one strip, released after construction

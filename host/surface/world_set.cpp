@@ -23,6 +23,10 @@ constexpr float far_spacing = 0.15F;
 /// The spacing is one with which the first round adds so many of the pencils asked for. Neither area nor extent of the scene matter, only
 /// what is seen.
 constexpr double first_round = 0.4;
+// The search for it: it begins with a share of the harmonic mean distance of what is seen, takes steps up to a factor, and ends within a share.
+constexpr float first_guess = 0.2F, least_guess = 0.01F;
+constexpr int most_guesses = 6;
+constexpr double most_step = 2.5, guess_tolerance = 0.1;
 /// All further rounds together.
 constexpr double further_rounds = 0.4;
 /// A round takes a spacing at least so many times as wide if its pencils would be more than they may be.
@@ -141,13 +145,13 @@ float WorldSet::spacing_for(std::size_t count) const {
     for (std::size_t i = 0; i < seen_.points().size(); ++i)
         if (seen_.points()[i].albedo > 0) inverse += 1.0 / std::max(glm::distance(seen_.points()[i].position, seen_.viewer(i)), 1e-30F);
     const float middle = static_cast<float>(static_cast<double>(seen_.points().size()) / std::max(inverse, 1e-30));
-    float spacing = 0.2F * middle;
-    for (int k = 0; k < 6; ++k) {
+    float spacing = first_guess * middle;
+    for (int k = 0; k < most_guesses; ++k) {
         PointThinner thinner(widest, alike);
         const double kept = static_cast<double>(choose(0, {spacing, 4 * count}, thinner).surfels.size());
         const double factor = std::sqrt(kept / static_cast<double>(count));
-        if (std::abs(factor - 1.0) < 0.1) break;
-        spacing = std::max(spacing * static_cast<float>(std::clamp(factor, 0.4, 2.5)), 0.01F * middle);
+        if (std::abs(factor - 1.0) < guess_tolerance) break;
+        spacing = std::max(spacing * static_cast<float>(std::clamp(factor, 1.0 / most_step, most_step)), least_guess * middle);
     }
     return spacing;
 }

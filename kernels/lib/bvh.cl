@@ -33,13 +33,18 @@ static inline RayPacket ray_packet(vfloat x, vfloat y, vfloat z) {
     return r;
 }
 
-/// Lanes whose rays meet a box (corners relative to the origin) before what they have met; `entry` is where.
-static inline vint packet_meets_box(const RayPacket *r, float4 low, float4 high, vfloat *entry) {
-    vfloat x0 = low.x * r->ix, x1 = high.x * r->ix, y0 = low.y * r->iy, y1 = high.y * r->iy, z0 = low.z * r->iz, z1 = high.z * r->iz;
+/// Lanes whose rays, with parameters x0 .. z1 at the planes of a box, meet it before `nearest`; `entry` is where.
+static inline vint packet_meets_slabs(vfloat x0, vfloat x1, vfloat y0, vfloat y1, vfloat z0, vfloat z1, vfloat nearest, vfloat *entry) {
     vfloat in = fmax(fmax(fmin(x0, x1), fmin(y0, y1)), fmax(fmin(z0, z1), (vfloat)(0.0f)));
-    vfloat out = fmin(fmin(fmax(x0, x1), fmax(y0, y1)), fmin(fmax(z0, z1), r->nearest));
+    vfloat out = fmin(fmin(fmax(x0, x1), fmax(y0, y1)), fmin(fmax(z0, z1), nearest));
     *entry = in;
     return PACKET_MASK(in <= out);
+}
+
+/// The same for a box whose corners are given relative to the origin of all rays.
+static inline vint packet_meets_box(const RayPacket *r, float4 low, float4 high, vfloat *entry) {
+    return packet_meets_slabs(low.x * r->ix, high.x * r->ix, low.y * r->iy, high.y * r->iy, low.z * r->iz, high.z * r->iz, r->nearest,
+                              entry);
 }
 
 /// Meets one triangle, unless its plane passes within `tolerance` of the origin. Nearer wins, at equal disparity the lower index.

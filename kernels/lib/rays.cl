@@ -36,12 +36,8 @@ static inline LaneRays lane_rays(vfloat ox, vfloat oy, vfloat oz, vfloat x, vflo
 
 /// Lanes whose rays meet a box before what they have met; `entry` is where.
 static inline vint lanes_meet_box(const LaneRays *r, float4 low, float4 high, vfloat *entry) {
-    vfloat x0 = (low.x - r->ox) * r->ix, x1 = (high.x - r->ox) * r->ix, y0 = (low.y - r->oy) * r->iy, y1 = (high.y - r->oy) * r->iy,
-           z0 = (low.z - r->oz) * r->iz, z1 = (high.z - r->oz) * r->iz;
-    vfloat in = fmax(fmax(fmin(x0, x1), fmin(y0, y1)), fmax(fmin(z0, z1), (vfloat)(0.0f)));
-    vfloat out = fmin(fmin(fmax(x0, x1), fmax(y0, y1)), fmin(fmax(z0, z1), r->nearest));
-    *entry = in;
-    return PACKET_MASK(in <= out);
+    return packet_meets_slabs((low.x - r->ox) * r->ix, (high.x - r->ox) * r->ix, (low.y - r->oy) * r->iy, (high.y - r->oy) * r->iy,
+                              (low.z - r->oz) * r->iz, (high.z - r->oz) * r->iz, r->nearest, entry);
 }
 
 /// On which side of the line from p to q each ray passes: dot of its direction and cross(p + q, q - p), as edge_normal of triangle.cl.
@@ -59,20 +55,22 @@ static inline void lanes_meet_triangle(LaneRays *r, global const Triangle *t, in
     vfloat distance = ahead / fma((vfloat)(plane.x), r->x, fma((vfloat)(plane.y), r->y, plane.z * r->z));
     // Where surfaces coincide, a ray does not meet the one that it has not started on either.
     vfloat rounding = POSITION_ERROR * fmax(fabs(r->ox), fmax(fabs(r->oy), fabs(r->oz)));
-    vint meets = PACKET_MASK(fabs(ahead) > rounding) & PACKET_MASK(distance > 0.0f) & PACKET_MASK(distance < r->nearest) & PACKET_MASK(r->own != plane_index);
+    vint meets = PACKET_MASK(fabs(ahead) > rounding) & PACKET_MASK(distance > 0.0f) & PACKET_MASK(distance < r->nearest) &
+                 PACKET_MASK(r->own != plane_index);
     if (!PACKET_ANY(meets)) return;
-    vfloat ax = t->v0.x - r->ox, ay = t->v0.y - r->oy, az = t->v0.z - r->oz, bx = t->v1.x - r->ox, by = t->v1.y - r->oy, bz = t->v1.z - r->oz,
-           cx = t->v2.x - r->ox, cy = t->v2.y - r->oy, cz = t->v2.z - r->oz;
+    vfloat ax = t->v0.x - r->ox, ay = t->v0.y - r->oy, az = t->v0.z - r->oz, bx = t->v1.x - r->ox, by = t->v1.y - r->oy,
+           bz = t->v1.z - r->oz, cx = t->v2.x - r->ox, cy = t->v2.y - r->oy, cz = t->v2.z - r->oz;
     vfloat side = copysign((vfloat)(1.0f), ahead);
-    meets &= PACKET_MASK(side * lane_edge(r, ax, ay, az, bx, by, bz) >= 0.0f) & PACKET_MASK(side * lane_edge(r, bx, by, bz, cx, cy, cz) >= 0.0f) &
+    meets &= PACKET_MASK(side * lane_edge(r, ax, ay, az, bx, by, bz) >= 0.0f) &
+             PACKET_MASK(side * lane_edge(r, bx, by, bz, cx, cy, cz) >= 0.0f) &
              PACKET_MASK(side * lane_edge(r, cx, cy, cz, ax, ay, az) >= 0.0f);
     r->nearest = select(r->nearest, distance, meets);
     r->triangle = select(r->triangle, (vint)(index), meets);
 }
 
 /// Follows the rays to the nearest triangles, or, with `any`, until each open lane has met one.
-static inline void lanes_trace(LaneRays *r, bool any, global const BvhNode *nodes, global const int *leaves, global const Triangle *triangles,
-                               global const float4 *planes) {
+static inline void lanes_trace(LaneRays *r, bool any, global const BvhNode *nodes, global const int *leaves,
+                               global const Triangle *triangles, global const float4 *planes) {
     int stack[BVH_MOST_LEVELS + 1];
     int depth = 0;
     stack[depth++] = 0;

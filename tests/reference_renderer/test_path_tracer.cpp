@@ -14,21 +14,6 @@ namespace {
 using namespace pencil;
 using namespace pencil::test;
 
-/// A room with everything: an area light, a point light, a block, one-sided and two-sided surfaces, an open side.
-Scene room() {
-    Scene scene;
-    const Surface grey{glm::vec3(0.7F, 0.5F, 0.3F), glm::vec3(0.0F), false}, both{glm::vec3(0.4F), glm::vec3(0.0F), true};
-    for (int wall = 0; wall < 5; ++wall) add_wall(scene, wall, dvec3(-1), dvec3(1), grey);
-    add_box(scene, {-0.5, -1, -0.3}, {0, -0.2, 0.3}, grey, false);
-    add_quad(scene, "sheet", {0.3, -0.5, -0.2}, {0.4, 0.2, 0}, {0, 0.3, 0.4}, both);
-    add_quad(scene, "lamp", {-0.3, 0.99, -0.3}, {0.5, 0, 0}, {0, 0, 0.4}, {glm::vec3(0.2F), glm::vec3(8, 6, 4), false});
-    scene.point_lights.push_back({{0.6, 0.2, 0.1}, glm::vec3(0.3F)});
-    look_at(scene, {0.1, 0.1, 3.5}, {0, 0, 0}, {0, 1, 0}, 45.0, 20, 14);
-    scene.sensor.filter.kind = ReconstructionFilter::Kind::gaussian;
-    scene.sensor.filter.radius = 2.0;
-    return scene;
-}
-
 ReferenceOptions everything(int spp) {
     ReferenceOptions options;
     options.spp = spp;
@@ -48,7 +33,7 @@ TEST(PathTracer, VarianceIsThatOfRepeatedRenders) {
     constexpr int seeds = 128;
     std::vector<double> sum(3 * 20 * 14), squares = sum, told = sum;
     for (int seed = 0; seed < seeds; ++seed) {
-        const ReferenceResult result = trace(room(), 40, -1, static_cast<std::uint64_t>(seed));
+        const ReferenceResult result = trace(room_of_everything(), 40, -1, static_cast<std::uint64_t>(seed));
         const std::vector<float>&image = layer(result.layers, "").pixels, &variance = layer(result.layers, "variance").pixels;
         for (std::size_t i = 0; i < sum.size(); ++i) {
             sum[i] += image.at(i);
@@ -72,7 +57,7 @@ TEST(PathTracer, EstimatedErrorIsTheTrueOne) {
     ReferenceOptions options;
     options.spp = 8192;
     options.seed = 1000;
-    const ReferenceResult truth = trace_paths(room(), options);
+    const ReferenceResult truth = trace_paths(room_of_everything(), options);
     const std::vector<float>& r = layer(truth.layers, "").pixels;
     const double mean = std::accumulate(r.begin(), r.end(), 0.0) / static_cast<double>(r.size());
     double true_error = 0, estimated = 0;
@@ -80,30 +65,31 @@ TEST(PathTracer, EstimatedErrorIsTheTrueOne) {
     for (int seed = 0; seed < seeds; ++seed) {
         options.spp = 64;
         options.seed = static_cast<std::uint64_t>(seed);
-        const ReferenceResult result = trace_paths(room(), options);
+        const ReferenceResult result = trace_paths(room_of_everything(), options);
         const std::vector<float>& x = layer(result.layers, "").pixels;
         for (std::size_t i = 0; i < x.size(); ++i) true_error += relative_square(x[i], r[i], mean) / static_cast<double>(seeds * x.size());
         estimated += result.estimated_error / seeds;
     }
     EXPECT_NEAR(estimated / true_error, 1.0, 0.15);
     options.spp = 1;
-    EXPECT_TRUE(std::isinf(trace_paths(room(), options).estimated_error));
+    EXPECT_TRUE(std::isinf(trace_paths(room_of_everything(), options).estimated_error));
 }
 
 TEST(PathTracer, SameBitsWhateverTheThreads) {
     ReferenceOptions options = everything(24);
     options.seed = 18446744073709551615ULL;
-    const ReferenceResult first = trace_paths(room(), options);
+    const ReferenceResult first = trace_paths(room_of_everything(), options);
     for (const int threads : {1, 2, 5}) {
         options.threads = threads;
-        expect_same_bits(first, trace_paths(room(), options));
+        expect_same_bits(first, trace_paths(room_of_everything(), options));
     }
     options.seed = 1;
-    EXPECT_FALSE(layer(first.layers, "").pixels == layer(trace_paths(room(), options).layers, "").pixels) << "another seed, another noise";
+    EXPECT_FALSE(layer(first.layers, "").pixels == layer(trace_paths(room_of_everything(), options).layers, "").pixels)
+        << "another seed, another noise";
 }
 
 TEST(PathTracer, ScaleChangesNothingAndTranslationOnlyRounding) {
-    const Scene scene = room();
+    const Scene scene = room_of_everything();
     const ReferenceResult plain = trace(scene, 64);
     for (const double scale : {0x1p-30, 0x1p40}) {
         Scene scaled = scene;
@@ -127,14 +113,14 @@ TEST(PathTracer, ScaleChangesNothingAndTranslationOnlyRounding) {
 }
 
 TEST(PathTracer, OneShapeOfManyMaterialsIsManyShapes) {
-    Scene one = room();
+    Scene one = room_of_everything();
     for (Triangle3& t : one.triangles)
         if (!one.shapes[t.shape].emits) t.shape = 0;
-    expect_same_bits(trace_paths(room(), everything(16)), trace_paths(one, everything(16)));
+    expect_same_bits(trace_paths(room_of_everything(), everything(16)), trace_paths(one, everything(16)));
 }
 
 TEST(PathTracer, CameraFarAway) {
-    Scene scene = room();
+    Scene scene = room_of_everything();
     look_at(scene, {0, 0, 3e6}, dvec3(0), {0, 1, 0}, 45.0 / 1e6, 16, 16);
     scene.sensor.far_clip = 1e9;
     ReferenceOptions options = everything(16);
@@ -198,7 +184,7 @@ TEST(PathTracer, OneSidedAndTwoSided) {
 TEST(PathTracer, ATimeBudgetTracesWholePasses) {
     ReferenceOptions options;
     options.seconds = 1e-9;  // over before the first pass is: how much a longer one affords is SamplePlan's to say
-    const ReferenceResult result = trace_paths(room(), options);
+    const ReferenceResult result = trace_paths(room_of_everything(), options);
     EXPECT_GE(result.spp, 1) << "never less than one path per pixel";
     EXPECT_EQ(result.paths, static_cast<std::uint64_t>(result.spp) * 20 * 14);
 }
@@ -206,7 +192,7 @@ TEST(PathTracer, ATimeBudgetTracesWholePasses) {
 TEST(PathTracer, StopsWhenToldAndKeepsWhatIsDone) {
     ReferenceOptions options = everything(1 << 20);
     std::atomic<int> calls{0}, inside{0}, most_inside{0};
-    const ReferenceResult result = trace_paths(room(), options, [&](const std::string& stage, double fraction) {
+    const ReferenceResult result = trace_paths(room_of_everything(), options, [&](const std::string& stage, double fraction) {
         most_inside = std::max<int>(most_inside, ++inside);
         EXPECT_TRUE(stage == "build BVH" || stage == "trace paths") << stage;
         EXPECT_TRUE(fraction >= 0 && fraction <= 1) << fraction;
@@ -217,12 +203,12 @@ TEST(PathTracer, StopsWhenToldAndKeepsWhatIsDone) {
     EXPECT_EQ(most_inside, 1);
     EXPECT_GT(result.spp, 0);
     EXPECT_LT(result.spp, 1 << 20);
-    const Estimate e = mean_of_image(result), truth = mean_of_image(trace(room(), 400));
+    const Estimate e = mean_of_image(result), truth = mean_of_image(trace(room_of_everything(), 400));
     EXPECT_NEAR(e.mean, truth.mean, 4 * (e.error + truth.error)) << "tiles with more samples and with fewer are all right";
 }
 
 TEST(PathTracer, StoppedAtOnceIsBlackAndSaysSo) {
-    const ReferenceResult result = trace_paths(room(), everything(16), [](const std::string&, double) { return false; });
+    const ReferenceResult result = trace_paths(room_of_everything(), everything(16), [](const std::string&, double) { return false; });
     EXPECT_TRUE(result.interrupted);
     EXPECT_EQ(result.spp, 0);
     EXPECT_FALSE(result.warnings.empty());
@@ -230,7 +216,7 @@ TEST(PathTracer, StoppedAtOnceIsBlackAndSaysSo) {
 }
 
 TEST(PathTracer, ContributionsThatAreNoNumbersAreLeftOutAndCounted) {
-    Scene scene = room();
+    Scene scene = room_of_everything();
     for (Shape& shape : scene.shapes)
         if (shape.emits) shape.radiance = glm::vec3(3e38F);
     const ReferenceResult result = trace(scene, 16);
@@ -256,7 +242,7 @@ TEST(PathTracer, WithoutLightOrGeometryIsBlack) {
 }
 
 TEST(PathTracer, OptionsOutOfRangeAreRefused) {
-    const auto refused = [](const ReferenceOptions& options) { EXPECT_THROW(trace_paths(room(), options), UsageError); };
+    const auto refused = [](const ReferenceOptions& options) { EXPECT_THROW(trace_paths(room_of_everything(), options), UsageError); };
     ReferenceOptions options;
     options.spp = 0;
     refused(options);
@@ -271,7 +257,7 @@ TEST(PathTracer, OptionsOutOfRangeAreRefused) {
 }
 
 TEST(PathTracer, OneSampleHasNoVariance) {
-    const ReferenceResult result = trace(room(), 1);
+    const ReferenceResult result = trace(room_of_everything(), 1);
     expect_zero(layer(result.layers, "variance"));
     ASSERT_EQ(result.warnings.size(), 1U);
     EXPECT_NE(result.warnings[0].find("variance"), std::string::npos) << result.warnings[0];

@@ -1,4 +1,4 @@
-// Scenes whose light is known in closed form, or known to be absent. The pencil renderer and the reference path tracer are tested on them.
+// Scenes whose light is known in closed form, or known to be absent, and one that has everything. The pencil renderer and the reference path tracer are tested on them.
 #pragma once
 
 #include <utility>
@@ -117,5 +117,20 @@ inline Scene cie_cube(double albedo) {
 
 /// Mean illuminance of its walls by energy balance, flux / (surface (1 - albedo)) [lx].
 inline double cie_cube_answer(double albedo) { return 10000.0 / (96.0 * (1.0 - albedo)); }
+
+/// A room with everything: an area light, a point light, a block, one-sided and two-sided surfaces, an open side.
+inline Scene room_of_everything() {
+    Scene scene;
+    const Surface grey{glm::vec3(0.7F, 0.5F, 0.3F), glm::vec3(0.0F), false}, both{glm::vec3(0.4F), glm::vec3(0.0F), true};
+    for (int wall = 0; wall < 5; ++wall) add_wall(scene, wall, dvec3(-1), dvec3(1), grey);
+    add_box(scene, {-0.5, -1, -0.3}, {0, -0.2, 0.3}, grey, false);
+    add_quad(scene, "sheet", {0.3, -0.5, -0.2}, {0.4, 0.2, 0}, {0, 0.3, 0.4}, both);
+    add_quad(scene, "lamp", {-0.3, 0.99, -0.3}, {0.5, 0, 0}, {0, 0, 0.4}, {glm::vec3(0.2F), glm::vec3(8, 6, 4), false});
+    scene.point_lights.push_back({{0.6, 0.2, 0.1}, glm::vec3(0.3F)});
+    look_at(scene, {0.1, 0.1, 3.5}, {0, 0, 0}, {0, 1, 0}, 45.0, 20, 14);
+    scene.sensor.filter.kind = ReconstructionFilter::Kind::gaussian;
+    scene.sensor.filter.radius = 2.0;
+    return scene;
+}
 
 }  // namespace pencil::test

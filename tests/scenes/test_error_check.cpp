@@ -42,7 +42,7 @@ std::vector<float> uniform_image(const Scene& scene, double value) {
 }
 
 /// A room with a lamp, a point light, a block and a sheet that is lit from both sides.
-Scene room() {
+Scene closed_room() {
     Scene scene;
     const Surface grey{glm::vec3(0.7F, 0.5F, 0.3F), glm::vec3(0.0F), false}, both{glm::vec3(0.4F), glm::vec3(0.0F), true};
     for (int wall = 0; wall < 6; ++wall) add_wall(scene, wall, dvec3(-1), dvec3(1), grey);
@@ -84,7 +84,7 @@ TEST(ErrorCheck, OrdersEndWhereTheImageEnds) {
 }
 
 TEST(ErrorCheck, AgreesWithThePathTracer) {
-    Checked checked(room());
+    Checked checked(room_of_everything());
     checked.look(1 << 17, 7);
     const CertifiedError found = checked.check.certify(truth(checked.scene, 1024, 3));
     EXPECT_NEAR(found.mean_bias, 0.0, 4.0 * found.mean_error);
@@ -93,7 +93,7 @@ TEST(ErrorCheck, AgreesWithThePathTracer) {
 
 /// An image that is off by a known amount, by noise or by a corner that is too bright: the interval holds it nearly always.
 TEST(ErrorCheck, TheIntervalHoldsTheTruth) {
-    Checked checked(room());
+    Checked checked(closed_room());
     const std::vector<float> good = truth(checked.scene, 2048, 3), noisy = truth(checked.scene, 4, 4);
     std::vector<float> with_bias = good;
     const int width = checked.scene.sensor.width;
