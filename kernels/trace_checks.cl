@@ -13,8 +13,8 @@
 
 /// Reflections after which a path may end.
 #define CHECK_SURE_ORDERS 3
-/// Where nothing is lost paths would never end. At an albedo of 0.999 a sixtieth of the light is beyond.
-#define CHECK_MOST_ORDERS 4096
+/// Where nothing is lost paths would never end. At an albedo of 0.995 less than a hundredth of the light is beyond.
+#define CHECK_MOST_ORDERS 1024
 /// Segments to emitters end this share before them.
 #define CHECK_SHADOW_END 0.9999f
 
