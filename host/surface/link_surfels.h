@@ -15,7 +15,7 @@ struct SurfaceLinks {
     /// Arguments `links, factors` of kernels.
     auto list() const { return std::tie(pencils, weights); }
 
-    Buffer<glm::ivec4> pencils;  // -1: none; LINK_LAST_RESORT behind a pencil that stands there only because no other does
+    Buffer<glm::ivec4> pencils;  // -1: none; LINK_STANDS_IN behind a pencil that stands there only because no other does
     Buffer<float4> weights;
 };
 

@@ -13,15 +13,14 @@ namespace {
 
 /// Pencils so small that they need more join level 0.
 constexpr int most_levels = 24;
-/// A radius reaches at most PENCIL_GRID_REACH cells: wider ones hold more pencils that do not reach the point asked for. With its own it
-/// reaches five along each axis.
-constexpr int most_cells = 5 * 5 * 5;
+/// A radius reaches at most PENCIL_GRID_REACH = 1 cells: with its own it reaches three along each axis, by rounding one more.
+constexpr int most_cells = 4 * 4 * 4;
 
 /// A radius that is as wide as its level allows, up to rounding, does not leave it.
 constexpr float rounded = 0.99999F;
 
 /// Width of the cells of a level in terms of those of level 0.
-float level_width(int level) { return std::ldexp(1.0F, PENCIL_GRID_DOUBLINGS * level); }
+float level_width(int level) { return std::pow(PENCIL_GRID_STEP, static_cast<float>(level)); }
 
 /// Slots of the cells of its level that a pencil's radius reaches, each once.
 struct Slots {
@@ -68,11 +67,11 @@ PencilGrid grid_of(const std::vector<SurfacePencil>& pencils) {
     const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
     std::nth_element(radii.begin(), middle, radii.end());
     const auto [smallest, largest] = std::minmax_element(radii.begin(), radii.end());
-    const auto doublings = [](float from, float to) {
-        return std::clamp(static_cast<int>(std::ceil(std::log2(to / from))), 0, most_levels / 2 - 1);
+    const auto steps = [](float from, float to) {
+        return std::clamp(static_cast<int>(std::ceil(std::log(to / from) / std::log(PENCIL_GRID_STEP))), 0, most_levels / 2 - 1);
     };
-    const int below = doublings(*smallest, *middle);
-    grid.levels = below + 1 + doublings(*middle, *largest);
+    const int below = steps(*smallest, *middle);
+    grid.levels = below + 1 + steps(*middle, *largest);
     grid.origin = float4(low, PENCIL_GRID_REACH / *middle * level_width(below));
     return grid;
 }

@@ -1,8 +1,6 @@
 #include "surface/shared_points.h"
 
 #include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
 
 #include "pencils/low_discrepancy.h"
 
@@ -12,23 +10,9 @@ namespace {
 
 /// Orders of reflection that importance is carried over at most, and the share of all of it at which it stops. What is left is closed as a
 /// geometric series of the last order, whose distribution hardly changes by then.
-constexpr int most_orders = 8;
+constexpr int most_orders = 3;
 constexpr double least_share = 0.01;
 constexpr double most_ratio = 0.999;
-
-struct Reader {
-    float azimuth, weight;
-    int point;
-};
-
-/// Direction from the pencil to a point in some tangent frame, as a number that grows with the angle.
-float azimuth(const SurfacePencil& pencil, const glm::vec3& point) {
-    const glm::vec3 n(pencil.normal), step = point - glm::vec3(pencil.position);
-    const glm::vec3 t = glm::cross(n, std::abs(n.x) < 0.5F ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0)), b = glm::cross(n, t);
-    const float x = glm::dot(step, t), y = glm::dot(step, b), size = std::abs(x) + std::abs(y);
-    if (!(size > 0)) return 0;
-    return y >= 0 ? 1 - x / size : 3 + x / size;
-}
 
 }  // namespace
 
@@ -65,30 +49,23 @@ std::vector<float> pencil_importance(const std::vector<SeenPoints::Point>& point
     return sum;
 }
 
-SharedPoints::SharedPoints(const std::vector<SeenPoints::Point>& points, const PointLinks& links, const std::vector<SurfacePencil>& pencils,
-                           std::size_t seeds, std::size_t texels)
-    : first_(pencils.size() + 1, 0) {
-    const std::vector<float> importance = pencil_importance(points, links, pencils.size(), seeds, texels);
+SharedPoints::SharedPoints(const std::vector<SeenPoints::Point>& points, const PointLinks& links, std::size_t pencils, std::size_t seeds,
+                           std::size_t texels)
+    : first_(pencils + 1, 0) {
+    const std::vector<float> importance = pencil_importance(points, links, pencils, seeds, texels);
     for (std::size_t i = 0; i < points.size(); ++i) links.each(i, [&](std::size_t p, float) { ++first_[p + 1]; });
-    for (std::size_t p = 0; p < pencils.size(); ++p) first_[p + 1] += first_[p];
-    std::vector<Reader> readers(first_.back());
+    for (std::size_t p = 0; p < pencils; ++p) first_[p + 1] += first_[p];
+    point_.resize(first_.back());
+    up_to_.resize(first_.back());
     std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    std::vector<float> sum(pencils, 0.0F);
     for (std::size_t i = 0; i < points.size(); ++i) {
         const float read = (i < seeds * texels ? 1.0F : importance[i / texels - seeds] / static_cast<float>(texels)) * points[i].albedo;
         links.each(i, [&](std::size_t p, float weight) {
-            readers[next[p]++] = {azimuth(pencils[p], points[i].position), weight * read, static_cast<int>(i)};
+            const std::size_t at = next[p]++;
+            point_[at] = static_cast<int>(i);
+            up_to_[at] = sum[p] += weight * read;
         });
-    }
-    point_.resize(readers.size());
-    up_to_.resize(readers.size());
-    for (std::size_t p = 0; p < pencils.size(); ++p) {
-        std::sort(readers.begin() + static_cast<std::ptrdiff_t>(first_[p]), readers.begin() + static_cast<std::ptrdiff_t>(first_[p + 1]),
-                  [](const Reader& a, const Reader& b) { return a.azimuth < b.azimuth; });
-        float sum = 0;
-        for (std::size_t at = first_[p]; at < first_[p + 1]; ++at) {
-            point_[at] = readers[at].point;
-            up_to_[at] = sum += readers[at].weight;
-        }
     }
 }
 

@@ -33,9 +33,8 @@ std::vector<float> pencil_importance(const std::vector<SeenPoints::Point>& point
 class SharedPoints {
 public:
     SharedPoints() = default;
-    /// `pencils`: where they lie; draws are spread about those places.
-    SharedPoints(const std::vector<SeenPoints::Point>& points, const PointLinks& links, const std::vector<SurfacePencil>& pencils,
-                 std::size_t seeds, std::size_t texels);
+    SharedPoints(const std::vector<SeenPoints::Point>& points, const PointLinks& links, std::size_t pencils, std::size_t seeds,
+                 std::size_t texels);
 
     /// `draws` points of those that read the pencil, in proportion to what the image reads through them; -1 where nothing reads it, and of
     /// pencils that are not among those.

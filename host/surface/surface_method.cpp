@@ -31,11 +31,11 @@ int coarsest_spacing(const Camera& film) {
 /// Texels draw from at most so many light samples.
 constexpr int most_texel_samples = 1 << 16;
 /// Rays of the world set for each one of the film pencils.
-constexpr double world_share = 0.4;
-/// Width of the maps of the world set.
-constexpr int least_world_map = 4, most_world_map = 32;
+constexpr double world_share = 0.3;
+/// Width of the maps of the world set, and of the first ones, before the film's rays are known.
+constexpr int least_world_map = 4, most_world_map = 32, first_world_map = 12;
 /// Rays of film pencils for each path that checks the image: it costs as much as so many in ten, which see things together.
-constexpr double rays_per_check = 16;
+constexpr double rays_per_check = 32;
 /// Time of the first world set, in terms of the time of the first pass without it.
 constexpr double world_work = 0.3;
 
@@ -46,12 +46,18 @@ int generation_of(int index) {
     return generation;
 }
 
-/// Each generation has two world sets, for half of its passes each.
+/// Each generation has two world sets, for half of its passes each: where pencils lie is an error that only passes of different sets show.
 int world_set_of(int index) {
     const int generation = generation_of(index), within = index - ((2 << generation) - 2);
     return 2 * generation + (within >> generation);
 }
 
+/// How many times the square spread of so many passes counts: they share a blur that it does not show, the more of it the fewer they are,
+/// since the first are the coarsest, and the spread of few is itself hardly known (docs/accuracy.md).
+double caution(int passes) { return 1 + 8.0 / (static_cast<double>(passes) * passes); }
+
+/// Two passes agree by chance too often.
+constexpr int least_passes = 3;
 /// A target that is never met ends here.
 constexpr int most_passes = 256;
 /// The mean of all pixels is to be this much better known than each of them, if that does not take many passes: it is what is seen as too
@@ -142,18 +148,23 @@ void SurfaceMethod::place_world(const SurfacePass& pass, const FilmPixels& pixel
     SurfaceLights lights{samples.empty() ? LightSet() : LightSet(device, samples, 0),
                          Buffer<float>(device, near_areas(context_.flat, frame_->light_samples()), "near areas of emitters"),
                          Buffer<float>(device, near_areas(context_.flat, samples), "near areas of emitters")};
+    // As many more pencils lie so much closer.
+    const float guess =
+        solver_ ? solver_->spacing() * std::sqrt(static_cast<float>(world_wish_) / static_cast<float>(pass.world.pencils)) : 0;
     world_set_ = -1;    // until it is solved: it may be stopped before
     solver_ = nullptr;  // its memory first
     solver_ = std::make_unique<SurfaceSolver>(context_.kernels, context_.device_scene, std::move(lights), pass.world, context_.clock,
                                               static_cast<uint>(seed >> 32));
     const int spacing = seed_spacing * coarsest_spacing(context_.flat.camera);
-    if (context_.wanted(2)) solver_->place(seed_pencils(context_.kernels, pixels, spacing, film_map));
+    if (context_.wanted(2)) solver_->place(seed_pencils(context_.kernels, pixels, spacing, film_map), guess);
+    world_wish_ = pass.world.pencils;
     context_.stats.world_pencils += static_cast<std::uint64_t>(solver_->world().count);
     world_set_ = pass.world_set;
 }
 
 /// Width of the maps of the world set, a multiple of 4: as the last pass of the film says, so that the world's noise does not outweigh the film's.
 int SurfaceMethod::world_map() const {
+    if (film_rays_ == 0) return first_world_map;
     const double texels = world_share * film_rays_ / std::max(solver_->world().count, 1);
     return std::clamp(4 * static_cast<int>(std::lround(std::sqrt(texels) / 4)), least_world_map, most_world_map);
 }
@@ -178,7 +189,8 @@ void SurfaceMethod::add_bounces(const SurfacePass& pass, const Turn& turn) {
 }
 
 double SurfaceMethod::estimated_error() const {
-    return mean_.count() > 0 ? join_errors(mean_.relative_mean_square_error(), certified_error()) : std::numeric_limits<double>::infinity();
+    if (mean_.count() == 0) return std::numeric_limits<double>::infinity();
+    return join_errors(caution(mean_.count()) * mean_.relative_mean_square_error(), certified_error());
 }
 
 CertifiedError SurfaceMethod::certified_error() const { return mean_.count() > 0 ? check_.certify(mean_.beauty()) : CertifiedError(); }
@@ -197,8 +209,12 @@ bool SurfaceMethod::enough(double pace) {
         context_.stats.warnings.push_back("the image holds values that are not finite: stopped, the error is not known");
         return true;
     }
-    const bool mean_known = index_ >= steady_passes || mean_.mean_standard_error() <= mean_share * std::sqrt(options.target_error);
-    if (mean_.count() >= 2 && error <= options.target_error && mean_known) return true;
+    const CertifiedError certified = certified_error();
+    const bool contradicted = certified.points > 1 && std::abs(certified.mean_bias) >
+                                                          std::max(2 * certified.mean_error, mean_share * std::sqrt(options.target_error));
+    const bool mean_known = index_ >= steady_passes || (!contradicted && std::sqrt(caution(mean_.count())) * mean_.mean_standard_error() <=
+                                                                             mean_share * std::sqrt(options.target_error));
+    if (mean_.count() >= least_passes && error <= options.target_error && mean_known) return true;
     const bool stuck =
         error > options.target_error && index_ >= steady_passes && index_ == 2 * error_index_ && error > falling_share * last_error_;
     if (stuck || index_ >= most_passes) {

@@ -64,6 +64,7 @@ private:
     ErrorCheck check_;
     std::unique_ptr<Frame> frame_;  // of the pass in the making
     int world_set_ = -1;            // of the solver
+    int world_wish_ = 1;            // pencils that it asked for
     std::unique_ptr<SurfaceSolver> solver_;
 };
 

@@ -46,9 +46,9 @@ SurfaceSolver::SurfaceSolver(Kernels& kernels, const DeviceScene& scene, Surface
       seed_(seed),
       world_(kernels, scene, quality.pencils, seed_) {}
 
-void SurfaceSolver::place(const SurfacePencils& seeds) {
+void SurfaceSolver::place(const SurfacePencils& seeds, float spacing) {
     clock_.run(
-        "place world", [&] { world_.cover(seeds); });
+        "place world", [&] { world_.cover(seeds, spacing); });
 }
 
 void SurfaceSolver::solve(int map, int orders, double tolerance, std::uint64_t seed) {

@@ -24,8 +24,8 @@ public:
     SurfaceSolver(Kernels& kernels, const DeviceScene& scene, SurfaceLights lights, const WorldQuality& quality, StageClock& clock,
                   uint seed);
 
-    /// Places the world set from what the texels of `seeds` see.
-    void place(const SurfacePencils& seeds);
+    /// Places the world set from what the texels of `seeds` see; `spacing`: see WorldSet::cover.
+    void place(const SurfacePencils& seeds, float spacing);
 
     /// Gathers anew with maps of `map` x `map` texels and iterates bounces. Orders of reflection up to `orders` (-1: until the tolerance). Each seed sees other points.
     void solve(int map, int orders, double tolerance, std::uint64_t seed);
@@ -34,6 +34,7 @@ public:
     void gather(SurfacePencils& pencils, int first, int count, const TexelPoints& points);
 
     const SurfacePencils& world() const { return world_.pencils(); }
+    float spacing() const { return world_.spacing(); }
     bool stopped() const { return clock_.stopped(); }
     double residual() const { return residual_; }
 

@@ -17,24 +17,24 @@ constexpr float alike = 0.7F;
 /// A pencil is used up to this many spacings away.
 constexpr float reach = 1.4F;
 /// Things seen from nearer than the spacing get closer pencils, but not closer than this share of it: light changes fast near contacts.
-constexpr float near_spacing = 0.5F;
+constexpr float near_spacing = 0.25F;
 /// What is seen from far gets wider spacings, this share of the distance.
-constexpr float far_spacing = 0.15F;
+constexpr float far_spacing = 0.08F;
 /// The spacing is one with which the first round adds so many of the pencils asked for. Neither area nor extent of the scene matter, only
 /// what is seen.
-constexpr double first_round = 0.4;
+constexpr double first_round = 0.5;
 // The search for it: it begins with a share of the harmonic mean distance of what is seen, takes steps up to a factor, and ends within a share.
 constexpr float first_guess = 0.2F, least_guess = 0.01F;
 constexpr int most_guesses = 6;
 constexpr double most_step = 2.5, guess_tolerance = 0.1;
 /// All further rounds together.
-constexpr double further_rounds = 0.4;
+constexpr double further_rounds = 1;
 /// A round takes a spacing at least so many times as wide if its pencils would be more than they may be.
 constexpr float step_coarser = 1.3F;
 /// Rounds of pencils on what the last round sees: light goes round corners in that many steps at most until the fill.
 constexpr int most_rounds = 8;
 /// The fill adds at most so many pencils for each one asked for, this share of the spacing apart.
-constexpr double most_fill = 1;
+constexpr double most_fill = 0.5;
 constexpr float fill_spacing = 0.25F;
 /// Width of the maps from the centres.
 constexpr int world_map = 8;
@@ -60,7 +60,7 @@ WorldSet::WorldSet(Kernels& kernels, const DeviceScene& scene, int wish, uint se
     seen_surfels_.count = 0;
 }
 
-void WorldSet::cover(const SurfacePencils& seeds) {
+void WorldSet::cover(const SurfacePencils& seeds, float spacing) {
     seeds_ = seeds.count;
     seen_surfels_.reserve(kernels_.device(), seeds_ * pencils_.texels(), seen_name);
     trace_hemispheres(kernels_, scene_, seeds, 0, seeds_, {seed_}, seen_surfels_);
@@ -68,34 +68,34 @@ void WorldSet::cover(const SurfacePencils& seeds) {
     seen_.read_points(seen_surfels_);
     PointThinner thinner(widest, alike);
     const auto most = [&](double per_wish) { return static_cast<std::size_t>(std::ceil(per_wish * wish_)); };
-    const float spacing = spacing_for(most(first_round));
-    extend(choose(0, {spacing, most(1.5 * first_round)}, thinner));
+    spacing_ = spacing_for(most(first_round), spacing);
+    extend(choose(0, {spacing_, most(1.5 * first_round)}, thinner));
     const std::size_t most_further = static_cast<std::size_t>(pencils_.count) + most(further_rounds);
     for (int round = 1, from = 0; round < most_rounds && from < pencils_.count; ++round) {
+        if (static_cast<std::size_t>(pencils_.count) >= most_further) break;
         const std::size_t rest = most_further - static_cast<std::size_t>(pencils_.count);
-        const ChosenSurfels chosen = choose((seeds_ + from) * pencils_.texels(), {spacing, rest / 2 + 1}, thinner);
+        const ChosenSurfels chosen = choose((seeds_ + from) * pencils_.texels(), {spacing_, rest / 2 + 1}, thinner);
         from = pencils_.count;
         extend(chosen);
     }
-    link_seen({fill_spacing * spacing, most(most_fill)});
+    fill({fill_spacing * spacing_, most(most_fill)});
+    shared_ = SharedPoints(seen_.points(), link_seen(), static_cast<std::size_t>(pencils_.count), static_cast<std::size_t>(seeds_),
+                           static_cast<std::size_t>(pencils_.texels()));
 }
 
-/// Finds the points that read each pencil, and puts more where what is seen lies beyond the reach of all: behind edges, in corners and near
-/// contacts. These gather from their own places.
-void WorldSet::link_seen(const Spacing& fill) {
+/// Puts more pencils where what is seen lies beyond the reach of all: behind edges, in corners and near contacts.
+void WorldSet::fill(const Spacing& spacing) {
+    std::vector<bool> reached;
+    for (const glm::ivec4& link : link_seen().pencils) reached.push_back(link.x >= 0 && link.y != LINK_STANDS_IN);
+    PointThinner thinner(widest, alike);
+    extend(choose(0, spacing, thinner, reached));
+}
+
+/// Which pencils each of the points that are seen reads.
+PointLinks WorldSet::link_seen() {
     grid_ = DeviceGrid(kernels_.device(), pencils_on_host());
     const SurfaceLinks found = link_surfels(kernels_, seen_surfels_, pencils_, grid_);
-    const PointLinks links{found.pencils.read(), found.weights.read()};
-    shared_ = SharedPoints(seen_.points(), links, pencils_on_host(), static_cast<std::size_t>(seeds_),
-                           static_cast<std::size_t>(pencils_.texels()));
-    std::vector<bool> reached;
-    reached.reserve(links.pencils.size());
-    for (const glm::ivec4& link : links.pencils) reached.push_back(link.x >= 0 && link.y != LINK_LAST_RESORT);
-    PointThinner thinner(widest, alike);
-    const ChosenSurfels more = choose(0, fill, thinner, reached);
-    if (more.surfels.empty()) return;
-    extend(more);
-    grid_ = DeviceGrid(kernels_.device(), pencils_on_host());
+    return {found.pencils.read(), found.weights.read()};
 }
 
 /// The set's, without the seeds.
@@ -140,12 +140,12 @@ std::vector<WorldSet::SpacedPoint> WorldSet::by_spacing(int first, float width, 
 }
 
 /// A spacing that keeps about `count` of the points, if there are as many.
-float WorldSet::spacing_for(std::size_t count) const {
+float WorldSet::spacing_for(std::size_t count, float guess) const {
     double inverse = 0;
     for (std::size_t i = 0; i < seen_.points().size(); ++i)
         if (seen_.points()[i].albedo > 0) inverse += 1.0 / std::max(glm::distance(seen_.points()[i].position, seen_.viewer(i)), 1e-30F);
     const float middle = static_cast<float>(static_cast<double>(seen_.points().size()) / std::max(inverse, 1e-30));
-    float spacing = first_guess * middle;
+    float spacing = std::min(guess > 0 ? std::max(guess, least_guess * middle) : first_guess * middle, widest);
     for (int k = 0; k < most_guesses; ++k) {
         PointThinner thinner(widest, alike);
         const double kept = static_cast<double>(choose(0, {spacing, 4 * count}, thinner).surfels.size());

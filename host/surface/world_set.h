@@ -16,8 +16,11 @@ public:
     /// `wish`: about so many pencils if every surface reflects light that matters; `seed`: of the points within texels.
     WorldSet(Kernels& kernels, const DeviceScene& scene, int wish, uint seed);
 
-    /// Places pencils on what the texels of `seeds` see, then on what those see, and so on, until all that is seen is covered.
-    void cover(const SurfacePencils& seeds);
+    /// Places pencils on what the texels of `seeds` see, then on what those see, and so on, until all that is seen is covered. `spacing`: a
+    /// guess of spacing(), 0: none.
+    void cover(const SurfacePencils& seeds, float spacing = 0);
+    /// With which as many pencils as wished for lie on what is seen [scene units].
+    float spacing() const { return spacing_; }
     /// What all pencils see, each from some of the points that read it; other seeds, other points. Maps of `map` x `map` texels.
     void gather(int map, std::uint64_t seed);
 
@@ -43,10 +46,11 @@ private:
     };
 
     std::vector<SpacedPoint> by_spacing(int first, float width, const std::vector<bool>& skip) const;
-    float spacing_for(std::size_t count) const;
+    float spacing_for(std::size_t count, float guess) const;
     ChosenSurfels choose(int first, Spacing spacing, PointThinner& thinner, const std::vector<bool>& skip = {}) const;
     void extend(const ChosenSurfels& chosen);
-    void link_seen(const Spacing& fill);
+    void fill(const Spacing& spacing);
+    PointLinks link_seen();
     std::vector<SurfacePencil> pencils_on_host() const;
 
     Kernels& kernels_;
@@ -59,6 +63,7 @@ private:
 
     // What the seeds see, then what the pencils see from their centres, and host copies of both with seeds and pencils.
     int seeds_ = 0;
+    float spacing_ = 0;
     Surfels seen_surfels_;
     SeenPoints seen_;
     SharedPoints shared_;

@@ -7,8 +7,7 @@
 /// Pencils that one look-up combines at most.
 #define LINKS 4
 
-/// The best pencils at a point and their weights, which sum to 1; index -1 and weight 0 where there are fewer. Where none may be used, the
-/// nearest that faces the same way and has a clear horizon: in the narrowest corners something must stand for the light.
+/// The best pencils at a point and their weights, which sum to 1; index -1 and weight 0 where there are fewer.
 typedef struct PencilLinks {
     int index[LINKS];
     float weight[LINKS];
@@ -26,8 +25,8 @@ static inline void insert_link(PencilLinks *links, int index, float weight) {
         }
 }
 
-/// Entries of one block within whose radius x lies and that face the same way; `level`: those of them on whose surface x lies.
-static inline int block_reaches(global const float *block, float3 x, float3 n, vfloat *distance, vfloat *cosine, int *level) {
+/// Entries of one block within whose radius x lies, on their surface, and that face the same way, with their distance and cosine.
+static inline int block_reaches(global const float *block, float3 x, float3 n, vfloat *distance, vfloat *cosine) {
     vfloat sx = x.x - PACKET_LOAD(block + ENTRY_X * PENCIL_WIDTH), sy = x.y - PACKET_LOAD(block + ENTRY_Y * PENCIL_WIDTH),
            sz = x.z - PACKET_LOAD(block + ENTRY_Z * PENCIL_WIDTH);
     vfloat nx = PACKET_LOAD(block + ENTRY_NX * PENCIL_WIDTH), ny = PACKET_LOAD(block + ENTRY_NY * PENCIL_WIDTH),
@@ -35,81 +34,96 @@ static inline int block_reaches(global const float *block, float3 x, float3 n, v
     *distance = sqrt(fma(sx, sx, fma(sy, sy, sz * sz)));
     *cosine = fma(nx, (vfloat)(n.x), fma(ny, (vfloat)(n.y), nz * n.z));
     vfloat rise = fma(sx, nx + n.x, fma(sy, ny + n.y, sz * (nz + n.z)));
-    vint reaches = PACKET_MASK(*distance < PACKET_LOAD(block + ENTRY_RADIUS * PENCIL_WIDTH)) & PACKET_MASK(*cosine >= REUSE_LEAST_COSINE);
-    *level = PACKET_BITS(reaches & PACKET_MASK(fabs(rise) <= 2.0f * REUSE_MOST_SLOPE * *distance + position_error(x)));
-    return PACKET_BITS(reaches);
+    return PACKET_BITS(PACKET_MASK(*distance < PACKET_LOAD(block + ENTRY_RADIUS * PENCIL_WIDTH)) &
+                       PACKET_MASK(*cosine >= REUSE_LEAST_COSINE) &
+                       PACKET_MASK(fabs(rise) <= 2.0f * REUSE_MOST_SLOPE * *distance + position_error(x)));
 }
-
-/// The nearest pencil that may stand for a point where no other does.
-typedef struct LastResort {
-    int index;  // -1: none
-    float distance;
-} LastResort;
 
 /// The pencils of one slot of the grid.
 static inline void link_slot(global const SurfacePencil *pencils, global const float *entries, int first, int end, float3 x, float3 n,
-                             PencilLinks *links, LastResort *last) {
+                             PencilLinks *links) {
     for (int e = first; e < end; ++e) {
         global const float *block = entries + (size_t)e * (ENTRY_FIELDS * PENCIL_WIDTH);
         global const int *index = (global const int *)(block + ENTRY_PENCIL * PENCIL_WIDTH);
         vfloat distance, cosine;
-        int level, reached = block_reaches(block, x, n, &distance, &cosine, &level);
+        int bits = block_reaches(block, x, n, &distance, &cosine);
         vfloat radius = PACKET_LOAD(block + ENTRY_RADIUS * PENCIL_WIDTH);
         vfloat closeness = fmax(1.0f / radius - distance / (radius * radius), (vfloat)(0.0f));
         vfloat weight = closeness * closeness * cosine;
-        for (int bits = level; bits; bits &= bits - 1) {
+        for (; bits; bits &= bits - 1) {
             int l = LOWEST_LANE(bits);
             float own = LANE_FLOAT(weight, l);
             if (!(own > links->weight[LINKS - 1])) continue;  // the horizon costs more than all before
             global const SurfacePencil *p = pencils + index[l];
             if (clear_horizon(p, x - p->position.xyz)) insert_link(links, index[l], own);
         }
-        for (int bits = links->index[0] < 0 ? reached : 0; bits; bits &= bits - 1) {
-            int l = LOWEST_LANE(bits);
-            global const SurfacePencil *p = pencils + index[l];
-            if (LANE_FLOAT(distance, l) >= last->distance || !clear_horizon(p, x - p->position.xyz)) continue;
-            last->distance = LANE_FLOAT(distance, l);
-            last->index = index[l];
+    }
+}
+
+/// Slot of a cell; `at`: a place in it, in terms of the cells of its level.
+static inline int pencil_slot(PencilGrid grid, float3 at, int level) {
+    int3 cell = convert_int3_sat_rtn(at);
+    return PENCIL_GRID_SLOT(cell.x, cell.y, cell.z, level, grid.slots);
+}
+
+/// Pencil that stands for a point where none may be used, and the square of its distance.
+typedef struct StandIn {
+    int index;  // -1: none
+    float square;
+} StandIn;
+
+/// Pencil i, if it is nearer and likely to receive what x does: it faces the same way with nothing between.
+static inline void consider_pencil(global const SurfacePencil *pencils, int i, float3 x, float3 n, StandIn *found) {
+    global const SurfacePencil *p = pencils + i;
+    float3 step = x - p->position.xyz;
+    float square = dot(step, step);
+    if (!(square < found->square) || dot(p->normal.xyz, n) < REUSE_LEAST_COSINE || !clear_horizon(p, step)) return;
+    found->square = square;
+    found->index = i;
+}
+
+/// The pencil to stand for x, which none reaches, -1 if there is none: light that no pencil stands for would be lost, in every reflection. The
+/// nearest of those whose cells x lies in, or else of some that are spread among all: to look at all of them costs more than such light is worth.
+static inline int stand_in_pencil(global const SurfacePencil *pencils, PencilGrid grid, global const int *starts,
+                                  global const float *entries, float3 x, float3 n) {
+    StandIn found = {-1, INFINITY};
+    float3 at = (x - grid.origin.xyz) * grid.origin.w;
+    float diagonal = 1.7321f / grid.origin.w;
+    for (int level = 0; level < grid.levels; ++level, at /= PENCIL_GRID_STEP, diagonal *= PENCIL_GRID_STEP)
+        for (int slot = pencil_slot(grid, at, level), e = starts[slot] * PENCIL_WIDTH; e < starts[slot + 1] * PENCIL_WIDTH; ++e) {
+            global const float *entry = entries + (size_t)(e / PENCIL_WIDTH) * (ENTRY_FIELDS * PENCIL_WIDTH) + e % PENCIL_WIDTH;
+            float radius = entry[ENTRY_RADIUS * PENCIL_WIDTH];
+            if (!(radius > 0.0f)) continue;
+            int i = ((global const int *)entry)[ENTRY_PENCIL * PENCIL_WIDTH];
+            // Others only share the slot.
+            if (distance(x, pencils[i].position.xyz) <= radius + diagonal) consider_pencil(pencils, i, x, n, &found);
         }
-    }
+    if (found.index >= 0) return found.index;
+    uint count = grid.count, stride = count % PENCIL_GRID_STRIDE == 0 ? 1 : PENCIL_GRID_STRIDE;
+    for (uint k = 0; k < count && (k < PENCIL_GRID_LOOK || found.index < 0); ++k)
+        consider_pencil(pencils, (int)((ulong)k * stride % count), x, n, &found);
+    return found.index;
 }
 
-/// The pencil that faces the same way and comes nearest to x in terms of its radius, -1 if none faces so: for the few points beyond the reach
-/// of all. Light that no pencil stands for would be lost, in every reflection.
-static inline int least_far_pencil(global const SurfacePencil *pencils, int count, float3 x, float3 n) {
-    float least = INFINITY;
-    int found = -1;
-    for (int i = 0; i < count; ++i) {
-        float3 step = x - pencils[i].position.xyz;
-        float radius = pencils[i].normal.w, far = dot(step, step) / (radius * radius);
-        if (!(far < least) || dot(pencils[i].normal.xyz, n) < REUSE_LEAST_COSINE) continue;
-        least = far;
-        found = i;
-    }
-    return found;
-}
-
+/// The links of a point. Where none may be used, another stands in, if there is one: then index[1] is LINK_STANDS_IN.
 static inline PencilLinks nearest_pencils(global const SurfacePencil *pencils, PencilGrid grid, global const int *starts,
                                           global const float *entries, float3 x, float3 n) {
     PencilLinks links = {{-1, -1, -1, -1}, {0.0f, 0.0f, 0.0f, 0.0f}};
-    LastResort last = {-1, INFINITY};
     float3 at = (x - grid.origin.xyz) * grid.origin.w;
     float weight = grid.origin.w * grid.origin.w / (PENCIL_GRID_REACH * PENCIL_GRID_REACH);
-    for (int level = 0; level < grid.levels; ++level, at *= 0.5f, weight *= 0.25f) {
-        int3 cell = convert_int3_sat_rtn(at);
-        int slot = PENCIL_GRID_SLOT(cell.x, cell.y, cell.z, level, grid.slots);
-        link_slot(pencils, entries, starts[slot], starts[slot + 1], x, n, &links, &last);
+    for (int level = 0; level < grid.levels; ++level, at /= PENCIL_GRID_STEP, weight /= PENCIL_GRID_STEP * PENCIL_GRID_STEP) {
+        int slot = pencil_slot(grid, at, level);
+        link_slot(pencils, entries, starts[slot], starts[slot + 1], x, n, &links);
         // Wider pencils weigh 1 / radius^2 at most, and their radii exceed PENCIL_GRID_REACH cells of this level.
         if (links.weight[LINKS - 1] >= weight) break;
     }
     float sum = links.weight[0] + links.weight[1] + links.weight[2] + links.weight[3];
     for (int k = 0; k < LINKS; ++k) links.weight[k] = sum > 0.0f ? links.weight[k] / sum : 0.0f;
-    if (sum == 0.0f && last.index < 0) last.index = least_far_pencil(pencils, grid.count, x, n);
-    if (sum == 0.0f && last.index >= 0) {
-        links.index[0] = last.index;
-        links.index[1] = LINK_LAST_RESORT;
-        links.weight[0] = 1.0f;
-    }
+    if (sum > 0.0f) return links;
+    links.index[0] = stand_in_pencil(pencils, grid, starts, entries, x, n);
+    if (links.index[0] < 0) return links;
+    links.index[1] = LINK_STANDS_IN;
+    links.weight[0] = 1.0f;
     return links;
 }
 

@@ -4,8 +4,8 @@
 
 #include "shared/types.h"
 
-#define RING_SECTORS 8         // of azimuth about the normal
-#define LINK_LAST_RESORT (-2)  // second link of a surfel whose first pencil stands for it only because no other does
+#define RING_SECTORS 8       // of azimuth about the normal
+#define LINK_STANDS_IN (-2)  // second link of a surfel whose first pencil stands for it only because no other does
 
 PENCIL_SHARED_BEGIN
 
@@ -27,9 +27,9 @@ typedef struct SurfacePencil {
 } SurfacePencil;
 PENCIL_SHARED_TYPE(SurfacePencil)
 
-// Pencils by place, in levels of cells: those of a level are twice as wide as those of the level below. A pencil is on the lowest level
-// on which its radius is at most PENCIL_GRID_REACH cells, in every cell that it reaches, so pencils of all sizes are found in few cells. Cells are hashed into
-// the slots of their level. A slot is a run of blocks of PENCIL_WIDTH entries, fields one after the other; the last block is filled with
+// Pencils by place, in levels of cells, each PENCIL_GRID_STEP times as wide as those of the level below. A pencil is on the lowest level on
+// which its radius is at most PENCIL_GRID_REACH cells, in every cell that it reaches, so pencils of all sizes are found in few cells. Cells are
+// hashed into the slots of their level. A slot is a run of blocks of PENCIL_WIDTH entries, fields one after the other; the last block is filled with
 // entries of radius 0.
 typedef struct PencilGrid {
     float4 origin;  // xyz: a corner of level 0 [scene units]; w: 1 / width of the cells of level 0 [1 / scene units]
@@ -41,14 +41,18 @@ typedef struct PencilGrid {
 } PencilGrid;
 PENCIL_SHARED_TYPE(PencilGrid)
 
-// A radius reaches at most so many cells of its level, and on all levels but the first more than half as many.
-#define PENCIL_GRID_REACH 2.0f
-// Each level's cells are so many times twice as wide as those of the level below.
-#define PENCIL_GRID_DOUBLINGS 1
+// A radius reaches at most so many cells of its level.
+#define PENCIL_GRID_REACH 1.0f
+// Larger steps look into fewer cells, smaller ones find fewer pencils in them that do not reach: found by trial.
+#define PENCIL_GRID_STEP 4.0f
+
+// Where no cell about a point has a pencil to stand for it, so many are looked at, this many apart (a prime, so that no two are the same).
+#define PENCIL_GRID_LOOK 256u
+#define PENCIL_GRID_STRIDE 7919u
 
 // Slot of a cell; cells that share one only cost time.
 #define PENCIL_GRID_SLOT(x, y, z, level, slots) \
-    ((int)(PENCIL_GRID_MIX((uint)(x) * 0x9e3779b1u ^ (uint)(y) * 0x85ebca77u ^ (uint)(z) * 0xc2b2ae3du) & (uint)((slots)-1)) + (level) * (slots))
+    ((int)(PENCIL_GRID_MIX((uint)(x)*0x9e3779b1u ^ (uint)(y)*0x85ebca77u ^ (uint)(z)*0xc2b2ae3du) & (uint)((slots)-1)) + (level) * (slots))
 #define PENCIL_GRID_MIX(h) ((h) ^ ((h) >> 15) ^ ((h) >> 7))
 
 #define ENTRY_X 0  // position [scene units]

@@ -44,7 +44,7 @@ SurfaceLinks on_device(const std::vector<ref::Links>& links) {
             pencils.back()[static_cast<int>(k)] = link[k].pencil;
             weights.back()[static_cast<int>(k)] = static_cast<float>(link[k].weight);
         }
-        if (link.size() == 1) pencils.back().y = LINK_LAST_RESORT;
+        if (link.size() == 1) pencils.back().y = LINK_STANDS_IN;
     }
     return {Buffer<glm::ivec4>(device(), pencils, "links"), Buffer<float4>(device(), weights, "weights")};
 }

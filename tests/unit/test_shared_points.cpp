@@ -13,7 +13,6 @@ using namespace pencil;
 struct System {
     std::vector<SeenPoints::Point> points;
     PointLinks links;
-    std::vector<SurfacePencil> pencils = std::vector<SurfacePencil>(2);
 
     System() {
         add(0, 1.0F, 0.5F);  // the film's
@@ -22,7 +21,6 @@ struct System {
         both(0.6F, 0.5F);
         add(0, 1.0F, 0.4F);  // of pencil 1
         add(0, 1.0F, 0.0F);  // black
-        for (SurfacePencil& p : pencils) p.normal = float4(0, 0, 1, 1);
     }
     void add(int pencil, float weight, float albedo) {
         points.push_back({glm::vec3(static_cast<float>(points.size()), 1, 0), glm::vec3(0, 0, 1), albedo});
@@ -48,7 +46,7 @@ TEST(SharedPoints, ImportanceIsTheAdjointSeries) {
 
 TEST(SharedPoints, DrawsFollowWhatIsRead) {
     const System s;
-    const SharedPoints shared(s.points, s.links, s.pencils, 1, 2);
+    const SharedPoints shared(s.points, s.links, 2, 1, 2);
     const std::vector<float> w = pencil_importance(s.points, s.links, 2, 1, 2);
     // Of pencil 0: the film's first point, the shared one, the one of pencil 1.
     const double read[3] = {0.5, w[0] / 2.0 * 0.5 * 0.6, w[1] / 2.0 * 0.4}, total = read[0] + read[1] + read[2];
@@ -63,9 +61,9 @@ TEST(SharedPoints, DrawsFollowWhatIsRead) {
 }
 
 TEST(SharedPoints, WhatNothingReadsDrawsNothing) {
-    const SharedPoints none({}, {}, std::vector<SurfacePencil>(1), 0, 4);
+    const SharedPoints none({}, {}, 1, 0, 4);
     EXPECT_EQ(none.draw(0, 2, 1), std::vector<int>({-1, -1}));
-    EXPECT_EQ(none.draw(5, 2, 1), std::vector<int>({-1, -1})) << "a pencil that joined later";
+    EXPECT_EQ(none.draw(5, 2, 1), std::vector<int>({-1, -1})) << "no such pencil";
 }
 
 }  // namespace
