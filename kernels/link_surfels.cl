@@ -6,7 +6,7 @@
 
 /// launch : 1-D, one work-item per surfel
 /// in     : surfels; pencils and their grid
-/// out    : links[surfel_count]: pencils, -1: none; factors[surfel_count]: their weights
+/// out    : links[surfel_count]: pencils, -1: none, as for surfels that reflect nothing; factors[surfel_count]: their weights
 kernel void link_surfels(global const float *surfels, int capacity, int surfel_count, global const SurfacePencil *pencils, PencilGrid grid,
                          global const int *starts, global const float *entries, global int4 *links, global float4 *factors) {
     int i = get_global_id(0);
@@ -14,7 +14,8 @@ kernel void link_surfels(global const float *surfels, int capacity, int surfel_c
     size_t c = capacity;
     global const float *s = surfels + i;
     PencilLinks found = {{-1, -1, -1, -1}, {0.0f, 0.0f, 0.0f, 0.0f}};
-    if (as_int(s[SURFEL_PLANE * c]) >= 0)
+    bool reflects = s[SURFEL_ALBEDO_R * c] > 0.0f || s[SURFEL_ALBEDO_G * c] > 0.0f || s[SURFEL_ALBEDO_B * c] > 0.0f;
+    if (as_int(s[SURFEL_PLANE * c]) >= 0 && reflects)
         found = nearest_pencils(pencils, grid, starts, entries, (float3)(s[SURFEL_X * c], s[SURFEL_Y * c], s[SURFEL_Z * c]),
                                 (float3)(s[SURFEL_NX * c], s[SURFEL_NY * c], s[SURFEL_NZ * c]));
     links[i] = vload4(0, found.index);

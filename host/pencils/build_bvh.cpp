@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <glm/gtx/component_wise.hpp>
 #include <cmath>
+#include <glm/gtx/component_wise.hpp>
 #include <memory>
 
 #include "util/error.h"

@@ -28,7 +28,8 @@ public:
     std::vector<TrianglePiece> split(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) const {
         std::vector<TrianglePiece> open{{{a, b, c}, {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)}}}, done;
         const double least = least_length * longest(open[0]);
-        if (const double height = plane_distance(open[0]); height >= 0 && longest(open[0]) > most_length * std::max(height, nearest_)) split_inside(open);
+        if (const double height = plane_distance(open[0]); height >= 0 && longest(open[0]) > most_length * std::max(height, nearest_))
+            split_inside(open);
         while (!open.empty() && done.size() < most_pieces) {
             const TrianglePiece piece = open.back();
             open.pop_back();

@@ -132,7 +132,8 @@ TEST_F(Program, WrongArgumentsNameTheKernel) {
     expect_contains(error_of([&] { kernel("scale").args(values, values, 2.0f); }),
                     "argument 1 of kernel scale, \"count\", is a int and was given a buffer of float");
     expect_contains(error_of([&] { kernel("scale").args(values, 2.0f, 4); }), "is a int and was given a float");
-    EXPECT_EQ(error_of([&] { kernel("scale").args(std::make_tuple(std::cref(values), 4), 2.0f); }), "nothing was thrown") << "a group is its members";
+    EXPECT_EQ(error_of([&] { kernel("scale").args(std::make_tuple(std::cref(values), 4), 2.0f); }), "nothing was thrown")
+        << "a group is its members";
 }
 
 TEST_F(Program, UnknownNamesAreReported) {

@@ -54,7 +54,7 @@ constexpr double least_cosine = 0.5;  // of normals that stand for each other
 constexpr double most_slope = 0.4;    // of the step against the mean of both tangent planes
 /// Shorter steps are none at x: rounding of positions [scene units].
 inline double no_step(const dvec3& x) { return 1e-6 * std::max({std::abs(x.x), std::abs(x.y), std::abs(x.z)}); }
-constexpr double turn_weight = 0.5;   // of the turn of the normal in Ward's error
+constexpr double turn_weight = 0.5;  // of the turn of the normal in Ward's error
 
 struct Reuse {
     double distance = infinite;  // infinite: the irradiance may not be used

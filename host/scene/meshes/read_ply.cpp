@@ -139,8 +139,7 @@ private:
     std::uint64_t list_length(const PlyProperty& property) {
         const double length = source_.read(property.count_type);
         const std::uint64_t most = source_.left_for_list() / Source::least_bytes(property.type);  // whole entries
-        if (!(length >= 0.0 && length <= static_cast<double>(most)))
-            source_.fail("a list has an impossible length");
+        if (!(length >= 0.0 && length <= static_cast<double>(most))) source_.fail("a list has an impossible length");
         return static_cast<std::uint64_t>(length);
     }
 
