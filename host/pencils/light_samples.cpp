@@ -143,14 +143,40 @@ void sample_shape(const ShapeTriangles& e, const FlatScene& flat, const glm::dve
     }
 }
 
+/// Boxes of shapes, and of what does not emit; low > high where there is nothing.
+struct Box {
+    glm::dvec3 low{HUGE_VAL}, high{-HUGE_VAL};
+    void grow(const glm::dvec3& p) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    }
+};
+
+double square_distance(const Box& a, const Box& b) {
+    const glm::dvec3 gap = glm::max(glm::max(a.low - b.high, b.low - a.high), glm::dvec3(0));
+    return glm::dot(gap, gap);
+}
+
+/// Square distance from the box of each emitting shape to that of all that does not emit.
+std::vector<double> square_distances(const Scene& scene) {
+    std::vector<Box> boxes(scene.shapes.size());
+    Box rest;
+    for (const Triangle3& t : scene.triangles)
+        for (int k = 0; k < 3; ++k) (scene.shapes[t.shape].emits ? boxes[t.shape] : rest).grow(scene.positions[t.corners[k]]);
+    std::vector<double> distances;
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+        distances.push_back(scene.shapes[i].emits && rest.low.x <= rest.high.x ? square_distance(boxes[i], rest) : 0);
+    return distances;
+}
+
 }  // namespace
 
 std::vector<LightForm> choose_light_forms(const Scene& scene, bool all_samples, bool all_maps) {
-    std::vector<double> areas = shape_areas(scene);
+    const std::vector<double> areas = shape_areas(scene), distances = square_distances(scene);
     double total = std::accumulate(areas.begin(), areas.end(), 0.0);
     std::vector<LightForm> forms(scene.shapes.size(), LightForm::samples);
     for (std::size_t i = 0; i < forms.size(); ++i) {
-        bool large = areas[i] > large_emitter * total;
+        const bool large = areas[i] > large_emitter * total && distances[i] <= far_emitter * areas[i];
         if (scene.shapes[i].emits && (all_maps || (large && !all_samples))) forms[i] = LightForm::maps;
     }
     return forms;

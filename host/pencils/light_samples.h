@@ -27,10 +27,12 @@ bool has_detailed_emitters(const Scene& scene, const FlatScene& flat, const std:
 /// samples carry the share r^2 / (r^2 + that) of the light to a point at distance r.
 std::vector<float> near_areas(const FlatScene& flat, const std::vector<LightSample>& samples);
 
-/// `automatic` per emitting shape: an emitter of more than large_emitter of the scene's surface is carried by the maps.
+/// `automatic` per emitting shape: an emitter of more than large_emitter of the scene's surface is carried by the maps, unless it is so far from
+/// all that does not emit that it is small from there: its square distance more than far_emitter times its area. From there maps hardly see it.
 std::vector<LightForm> choose_light_forms(const Scene& scene, bool all_samples, bool all_maps);
 
 /// Share of the scene's surface above which point samples of an emitter lie too near what they light.
 constexpr double large_emitter = 0.05;
+constexpr double far_emitter = 2;
 
 }  // namespace pencil
