@@ -6,10 +6,12 @@
 #include "shared/surface_pencil.h"
 
 /// Neighbours to each side.
-#define SMOOTH_REACH 2
+#define SMOOTH_REACH 3
 /// Share of the neighbours' weight that holds slopes at 0: decides where neighbours lie on one side or in a line.
 #define SMOOTH_HOLD 1e-3f
-/// And the square of the rounding of positions where all neighbours lie in one point: keeps the determinant above 0.
+/// Where all neighbours lie in one point, the rounding of positions holds them, at least this share of the mean distance of what is seen:
+/// keeps the determinant above 0, and in float.
+#define SMOOTH_TINY 1e-6f
 
 /// A film pencil's irradiance near it: value + along_t dot(step, t) + along_b dot(step, b), t and b of tangent_frame.
 /// launch : 1-D, one work-item per pixel
@@ -24,6 +26,8 @@ kernel void smooth_irradiance(global const SurfacePencil *pencils, global const 
     int spacing = own->spacing;
     float3 x = own->position.xyz, n = own->normal.xyz, t, b;
     tangent_frame(n, &t, &b);
+    // In units of the mean distance of what is seen: neighbours lie within it, whatever the scale of the scene.
+    float unit = fmax(own->position.w, FLT_MIN);
     // Sums of weights, of (s, u) and the irradiance, and of their products.
     float w = 0.0f, ws = 0.0f, wu = 0.0f, wss = 0.0f, wsu = 0.0f, wuu = 0.0f;
     float3 e0 = (float3)(0.0f), es = (float3)(0.0f), eu = (float3)(0.0f);
@@ -39,7 +43,7 @@ kernel void smooth_irradiance(global const SurfacePencil *pencils, global const 
             float error = reuse_error(pencil, distance, n) + reuse_error(own, distance, n);
             float weight = fmax(1.0f - error / (2.0f * most_error), 0.0f);
             float3 step = pencil->position.xyz - x, e = irradiance[index].xyz;
-            float s = dot(step, t), u = dot(step, b);
+            float s = dot(step, t) / unit, u = dot(step, b) / unit;
             w += weight;
             ws += weight * s;
             wu += weight * u;
@@ -53,7 +57,7 @@ kernel void smooth_irradiance(global const SurfacePencil *pencils, global const 
     // Least squares about the weighted mean.
     float ms = ws / w, mu = wu / w;
     float ss = wss - ms * ws, su = wsu - ms * wu, uu = wuu - mu * wu;
-    float tiny = fmax(position_error(x), FLT_MIN), hold = SMOOTH_HOLD * (ss + uu) + w * tiny * tiny;
+    float tiny = fmax(position_error(x) / unit, SMOOTH_TINY), hold = SMOOTH_HOLD * (ss + uu) + w * tiny * tiny;
     ss += hold;
     uu += hold;
     float3 mean = e0 / w, cs = es - ms * e0, cu = eu - mu * e0;
@@ -61,6 +65,6 @@ kernel void smooth_irradiance(global const SurfacePencil *pencils, global const 
     float3 along_t = (uu * cs - su * cu) / determinant, along_b = (ss * cu - su * cs) / determinant;
     global float4 *fit = fits + 3 * (size_t)pencil_at[pixel];
     fit[0] = (float4)(fmax(mean - ms * along_t - mu * along_b, (float3)(0.0f)), 0.0f);
-    fit[1] = (float4)(along_t, 0.0f);
-    fit[2] = (float4)(along_b, 0.0f);
+    fit[1] = (float4)(along_t / unit, 0.0f);
+    fit[2] = (float4)(along_b / unit, 0.0f);
 }

@@ -37,14 +37,12 @@ static inline float check_random(CheckPath *p) {
 }
 
 /// At the surfel that a path starts on, with what that emits.
-static inline CheckPath begin_path(global const float *surfels, size_t capacity, int surfel, global const Material *materials, uint bits) {
+static inline CheckPath begin_path(global const float *surfels, size_t capacity, int surfel, uint bits) {
     CheckPath p = {(float3)(0.0f), (float3)(0.0f), (float3)(0.0f), (float3)(0.0f), (float3)(0.0f), -1, bits, 0.0f};
     if (surfel < 0) return p;
     global const float *s = surfels + surfel;
     p.plane = as_int(s[SURFEL_PLANE * capacity]);
     if (p.plane < 0) return p;
-    int m = as_int(s[SURFEL_MATERIAL * capacity]);
-    if (m >= 0) p.sum = materials[m].emission.xyz;  // emitters are one-sided
     p.position = (float3)(s[SURFEL_X * capacity], s[SURFEL_Y * capacity], s[SURFEL_Z * capacity]);
     p.normal = (float3)(s[SURFEL_NX * capacity], s[SURFEL_NY * capacity], s[SURFEL_NZ * capacity]);
     p.facing = (float3)(s[SURFEL_GX * capacity], s[SURFEL_GY * capacity], s[SURFEL_GZ * capacity]);
@@ -186,7 +184,8 @@ static inline bool go_on(CheckPath *p, int order, float3 *direction) {
 /// launch : 1-D, one work-item per packet of PENCIL_WIDTH paths
 /// in     : surfels; starts[path_count]: the surfel of each path, -1: none; emitters[emitter_count] and their power, luminance of radiance times
 ///          area summed, a point light as a small sphere [scene units^2]; orders: reflections at most, -1: no limit; seed; the scene
-/// out    : radiance[3][path_count]: an estimate of what each surfel sends to the eye [W m^-2 sr^-1]
+/// out    : radiance[3][path_count]: an estimate of what each surfel reflects to the eye [W m^-2 sr^-1]: the film knows
+///          better what it emits
 kernel void trace_checks(global const float *surfels, int capacity, global const int *starts, int path_count,
                          global const Emitter *emitters, int emitter_count, float power, int orders, uint seed, global const BvhNode *nodes,
                          global const int *leaves, global const Triangle *triangles, global const float4 *planes,
@@ -195,8 +194,7 @@ kernel void trace_checks(global const float *surfels, int capacity, global const
     if (first >= path_count) return;
     CheckPath paths[PENCIL_WIDTH];
     for (int l = 0; l < PENCIL_WIDTH; ++l)
-        paths[l] = begin_path(surfels, capacity, first + l < path_count ? starts[first + l] : -1, materials,
-                              hash_uint(seed + hash_uint(first + l)));
+        paths[l] = begin_path(surfels, capacity, first + l < path_count ? starts[first + l] : -1, hash_uint(seed + hash_uint(first + l)));
     int most = orders < 0 ? CHECK_MOST_ORDERS : orders;
     for (int order = 1; order <= most; ++order) {
         if (emitter_count > 0) light_vertices(paths, emitters, emitter_count, power, nodes, leaves, triangles, planes, materials);

@@ -13,9 +13,9 @@ namespace pencil {
 
 namespace {
 
-/// Paths of each of the two estimates of a pixel: the more at a pixel the less noise, as long as there are pixels enough to know how the error
-/// varies.
-constexpr int paths_per_estimate = 32;
+/// Paths of each of the two estimates of a pixel at most, and pixels of one call at least: the more paths at a pixel the less noise, as long as
+/// there are pixels enough to know how the error varies.
+constexpr int most_paths = 128, least_pixels = 8;
 
 /// Mean and its standard error.
 struct Mean {
@@ -41,14 +41,15 @@ ErrorCheck::ErrorCheck(RenderContext& context) : context_(context) {
         Buffer<Emitter>(context.kernels.device(), table.emitters.empty() ? std::vector<Emitter>(1) : table.emitters, "emitters");
 }
 
-/// Values of pixels, each by paths_per_estimate paths.
-std::vector<glm::dvec3> ErrorCheck::estimate(const Film& film, const std::vector<std::size_t>& pixels, std::uint64_t seed) const {
+/// Reflected light of pixels, each by so many `paths`.
+std::vector<glm::dvec3> ErrorCheck::estimate(const Film& film, const std::vector<std::size_t>& pixels, int paths,
+                                             std::uint64_t seed) const {
     const FilmDraws draws(film);
     std::vector<int> starts;
     std::vector<float> weights;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
-        std::vector<FilmDraws::Draw> drawn = draws.draw(pixels[i], paths_per_estimate, random_unit(seed, 1, i));
-        drawn.resize(paths_per_estimate, {-1, 0.0F});
+        std::vector<FilmDraws::Draw> drawn = draws.draw(pixels[i], paths, random_unit(seed, 1, i));
+        drawn.resize(static_cast<std::size_t>(paths), {-1, 0.0F});
         for (const FilmDraws::Draw& d : drawn) {
             starts.push_back(d.surfel);
             weights.push_back(d.weight);
@@ -61,13 +62,20 @@ std::vector<glm::dvec3> ErrorCheck::estimate(const Film& film, const std::vector
     const std::vector<float> found = radiance.read();
     std::vector<glm::dvec3> values(pixels.size(), glm::dvec3(0));
     for (std::size_t at = 0; at < starts.size(); ++at)
-        values[at / paths_per_estimate] += static_cast<double>(weights[at]) / paths_per_estimate *
-                                           glm::dvec3(found[at], found[starts.size() + at], found[2 * starts.size() + at]);
+        values[at / static_cast<std::size_t>(paths)] +=
+            static_cast<double>(weights[at]) / paths * glm::dvec3(found[at], found[starts.size() + at], found[2 * starts.size() + at]);
     return values;
 }
 
+void ErrorCheck::add_emission(const std::vector<float>& emission, double weight) {
+    emission_.resize(emission.size(), 0.0);
+    for (std::size_t i = 0; i < emission.size(); ++i) emission_[i] += weight * static_cast<double>(emission[i]);
+    weight_ += weight;
+}
+
 void ErrorCheck::add(const Film& film, int paths, std::uint64_t seed) {
-    const std::size_t looked = static_cast<std::size_t>(std::max(paths / (2 * paths_per_estimate), 1));
+    const int each = std::clamp(paths / (2 * least_pixels), 1, most_paths);
+    const auto looked = static_cast<std::size_t>(std::max(paths / (2 * each), least_pixels));
     const glm::dvec2 shift(random_unit(seed, 0, 0), random_unit(seed, 0, 1));
     std::vector<std::size_t> pixels;
     for (const Point& p : half_done_) pixels.push_back(p.pixel);
@@ -76,7 +84,7 @@ void ErrorCheck::add(const Film& film, int paths, std::uint64_t seed) {
         const auto x = static_cast<std::size_t>(u.x * film.width()), y = static_cast<std::size_t>(u.y * film.height());
         pixels.push_back(y * static_cast<std::size_t>(film.width()) + x);
     }
-    const std::vector<glm::dvec3> values = estimate(film, pixels, seed);
+    const std::vector<glm::dvec3> values = estimate(film, pixels, each, seed);
     for (std::size_t i = 0; i < half_done_.size(); ++i) points_.push_back({pixels[i], half_done_[i].first, values[i]});
     const bool only_film = points_.empty();
     const std::size_t begin = half_done_.size();
@@ -84,7 +92,7 @@ void ErrorCheck::add(const Film& film, int paths, std::uint64_t seed) {
     for (std::size_t i = begin; i < pixels.size(); ++i) half_done_.push_back({pixels[i], values[i], glm::dvec3(0)});
     if (!only_film) return;
     const std::vector<std::size_t> again(pixels.begin() + static_cast<std::ptrdiff_t>(begin), pixels.end());
-    const std::vector<glm::dvec3> second = estimate(film, again, hash64(seed));
+    const std::vector<glm::dvec3> second = estimate(film, again, each, hash64(seed));
     for (std::size_t i = 0; i < again.size(); ++i) half_done_[i].second = second[i];
 }
 
@@ -106,8 +114,9 @@ CertifiedError ErrorCheck::certify(const std::vector<float>& beauty) const {
     for (const Point& p : points) {
         double square = 0, step = 0;
         for (int c = 0; c < 3; ++c) {
-            const double x = static_cast<double>(beauty[3 * p.pixel + static_cast<std::size_t>(c)]);
-            square += (x - p.first[c]) * (x - p.second[c]) / relative_to(x, mean) / 3;
+            const std::size_t i = 3 * p.pixel + static_cast<std::size_t>(c);
+            const double shown = static_cast<double>(beauty[i]), x = weight_ > 0 ? shown - emission_[i] / weight_ : shown;
+            square += (x - p.first[c]) * (x - p.second[c]) / relative_to(shown, mean) / 3;
             step += (x - 0.5 * (p.first[c] + p.second[c])) / (3 * mean);
         }
         squares.push_back(square);

@@ -1,6 +1,7 @@
 // The error of an image as light paths see it, which know nothing of how it was made. For a pixel of value x and two independent unbiased
 // estimates p1, p2 of its true value m, the mean of (x - p1)(x - p2) is (x - m)^2: noise, bias and all. Some hundred pixels with some hundred
-// paths each tell the error of the whole image, with an interval.
+// paths each tell the error of the whole image, with an interval. Emission that the film sees has no error but the spread of passes, and much
+// of the noise of paths would be its: it is left out of both.
 #pragma once
 
 #include <vector>
@@ -19,6 +20,9 @@ class ErrorCheck {
 public:
     explicit ErrorCheck(RenderContext& context);
 
+    /// Emission of a film as the image shows it, rgb per pixel, with the film's weight in the image.
+    void add_emission(const std::vector<float>& emission, double weight);
+
     /// Looks at some pixels with about `paths` paths in all: at those of the last call once more, and at new ones. The two estimates of a pixel
     /// come from the visibility samples of two films, so that the error of these is seen, too. DeviceError, MemoryError.
     void add(const Film& film, int paths, std::uint64_t seed);
@@ -29,14 +33,16 @@ public:
 private:
     struct Point {
         std::size_t pixel;
-        glm::dvec3 first, second;  // independent estimates of its value
+        glm::dvec3 first, second;  // independent estimates of what it shows of reflected light
     };
 
-    std::vector<glm::dvec3> estimate(const Film& film, const std::vector<std::size_t>& pixels, std::uint64_t seed) const;
+    std::vector<glm::dvec3> estimate(const Film& film, const std::vector<std::size_t>& pixels, int paths, std::uint64_t seed) const;
 
     RenderContext& context_;
     CheckLights lights_;
     std::vector<Point> points_;
+    std::vector<double> emission_;  // sum of weight * emission, rgb per pixel
+    double weight_ = 0;
     std::vector<Point> half_done_;  // of the last call: both estimates from one film, which is better than nothing
 };
 

@@ -1,4 +1,4 @@
-// The place of an image in a sequence of images whose mean is the result.
+// The place of an image in a sequence of images whose mean is the result, or that it is the only one.
 #pragma once
 
 #include <cstdint>
@@ -9,6 +9,7 @@ namespace pencil {
 struct Turn {
     std::uint64_t seed = 0;   // of the sequence
     std::uint64_t index = 0;  // of the image
+    bool alone = false;       // no mean follows: the best that one image can be
 };
 
 }  // namespace pencil

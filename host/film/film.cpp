@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "film/rasterize_film.h"
+#include "film/trace_film.h"
+#include "pencils/low_discrepancy.h"
 #include "shared/film.h"
 
 namespace pencil {
@@ -16,6 +18,8 @@ constexpr int numbered_block = 8;
 /// Surfels per pixel that the estimate assumes, and rgb layers held at once.
 constexpr double surfels_per_pixel = 1.2;
 constexpr int layers_held = 4;
+/// As a fraction of 2^32.
+constexpr uint golden_section = 0x9e3779b9U;
 
 int rows_per_strip(const Camera& camera, int samples) {
     const std::size_t row = static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(samples) * sizeof(Hit);
@@ -44,16 +48,21 @@ Film::Film(Kernels& kernels, const DeviceScene& scene, const Camera& camera, con
     const bool one_strip = strip_rows_ == camera_.height;
     for (int row = 0; row < camera_.height; row += strip_rows_) {
         const int rows = std::min(strip_rows_, camera_.height - row);
-        rasterize_film(kernels, scene, camera_, offsets_, samples_, row, rows, hits_);
+        see(kernels, scene, row, rows);
         classify(kernels, scene, row, rows);
     }
     surfels_ = Surfels(kernels, number_surfels(device), "film surfels");
     for (int row = 0; row < camera_.height; row += strip_rows_) {
         const int rows = std::min(strip_rows_, camera_.height - row);
-        if (!one_strip) rasterize_film(kernels, scene, camera_, offsets_, samples_, row, rows, hits_);
-        write_surfels(kernels, scene, row, rows);
+        if (!one_strip) see(kernels, scene, row, rows);
+        write_surfels(kernels, scene, row, rows, turn);
     }
     hits_ = Buffer<Hit>();
+}
+
+void Film::see(Kernels& kernels, const DeviceScene& scene, int first_row, int rows) {
+    const auto look = film_is_traced(scene, camera_) ? trace_film : rasterize_film;
+    look(kernels, scene, camera_, offsets_, samples_, first_row, rows, hits_, "film hits");
 }
 
 void Film::classify(Kernels& kernels, const DeviceScene& scene, int first_row, int rows) {
@@ -81,9 +90,12 @@ int Film::number_surfels(const std::shared_ptr<Device>& device) {
     return next;
 }
 
-void Film::write_surfels(Kernels& kernels, const DeviceScene& scene, int first_row, int rows) {
+/// Shares of samples from turn to turn are those of the golden section.
+void Film::write_surfels(Kernels& kernels, const DeviceScene& scene, int first_row, int rows, const Turn& turn) {
+    const uint seed = turn.alone ? 0 : static_cast<uint>(hash64(turn.seed) >> 32) | 1U,
+               shift = static_cast<uint>(turn.index) * golden_section;
     kernels.get("film_surfels")
-        .args(strip(first_row, rows), pixels(), scene.surfaces(), surfels_.store())
+        .args(strip(first_row, rows), seed, shift, pixels(), scene.surfaces(), surfels_.store())
         .run(static_cast<std::size_t>(rows) * static_cast<std::size_t>(camera_.width), "film surfels");
 }
 

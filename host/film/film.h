@@ -43,8 +43,9 @@ private:
     auto pixels() const { return std::tie(slots_, counts_, first_surfel_); }
     auto filter() const { return std::tie(weights_, totals_, table_.reach, samples_); }
 
+    void see(Kernels& kernels, const DeviceScene& scene, int first_row, int rows);
     void classify(Kernels& kernels, const DeviceScene& scene, int first_row, int rows);
-    void write_surfels(Kernels& kernels, const DeviceScene& scene, int first_row, int rows);
+    void write_surfels(Kernels& kernels, const DeviceScene& scene, int first_row, int rows, const Turn& turn);
     int number_surfels(const std::shared_ptr<Device>& device);
 
     Camera camera_;

@@ -25,6 +25,8 @@ public:
     /// Reflection `order`: 1 is direct light ("direct"), 2 is "bounce2" and so on; indirect is all of them together ("indirect").
     static constexpr int indirect = -1;
     void add_bounce(int order, std::vector<float> pixels);
+    /// So far, rgb per pixel: only emission after add_surfaces.
+    const std::vector<float>& beauty() const { return beauty_; }
     /// Adds the last bounce times `factor` as the rest of the series (`tail_layer` of the next order). Returns its mean relative to the
     /// image's.
     double close_series(const glm::dvec3& factor);

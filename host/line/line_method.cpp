@@ -54,7 +54,8 @@ bool LineMethod::advance() {
 /// Film and direct light.
 bool LineMethod::begin() {
     const RenderOptions& options = context_.options;
-    frame_ = std::make_unique<Frame>(context_, options.aovs, options.light_samples, light_map_size(options.map), Turn{options.seed});
+    frame_ =
+        std::make_unique<Frame>(context_, options.aovs, options.light_samples, light_map_size(options.map), Turn{options.seed, 0, true});
     order_ = context_.maps_emit ? 0 : 1;
     return frame_->add_direct() && context_.wanted(order_ + 1);
 }

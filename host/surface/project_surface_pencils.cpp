@@ -2,10 +2,12 @@
 
 namespace pencil {
 
-void project_surface_pencils(Kernels& kernels, const Surfels& surfels, const SurfacePencils& pencils, const DeviceGrid& grid,
-                             Buffer<float>& outgoing) {
+void project_surface_pencils(Kernels& kernels, const Surfels& surfels, const SurfacePencils& pencils, const Buffer<float4>& irradiance,
+                             const DeviceGrid& grid, const Viewers& viewers, float nearness, Buffer<float>& outgoing,
+                             Buffer<unsigned char>& contact) {
     kernels.get("project_surface_pencils")
-        .args(surfels.list(), pencils.data, pencils.irradiance, grid.list(), outgoing)
+        .args(surfels.list(), pencils.data, irradiance, grid.list(), viewers.pencils.data, viewers.first, viewers.pencils.texels(),
+              nearness, outgoing, contact)
         .run(static_cast<std::size_t>(surfels.count), "project surface pencils");
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "pencils/low_discrepancy.h"
@@ -13,25 +14,23 @@ namespace pencil {
 namespace {
 
 /// Spacing of the pencils whose texels show where light is reflected, in terms of the coarsest of the first pass.
-constexpr int seed_spacing = 4;
-/// Width of the maps of film pencils: more pencils with few texels reach further than few with many, once passes enough fill the texels.
-constexpr int film_map = 8, fine_film_map = 4;
-/// First generation of fine film pencils.
-constexpr int fine_generation = 3;
+constexpr int seed_spacing = 8;
+/// Width of the maps of film pencils, and of those.
+constexpr int film_map = 8;
 /// Light samples that a packet of texels draws.
 constexpr int light_draws = 2;
 
 /// Spacing of the coarsest film pencils [pixels], a power of two: about so many across the film whatever its resolution.
 int coarsest_spacing(const Camera& film) {
-    int spacing = 4;
-    while (spacing < 32 && std::min(film.width, film.height) >= 128 * spacing) spacing *= 2;
+    int spacing = 2;
+    while (spacing < 16 && std::min(film.width, film.height) >= 256 * spacing) spacing *= 2;
     return spacing;
 }
 
 /// Texels draw from at most so many light samples.
 constexpr int most_texel_samples = 1 << 16;
 /// Rays of the world set for each one of the film pencils.
-constexpr double world_share = 0.3;
+constexpr double world_share = 0.15;
 /// Width of the maps of the world set, and of the first ones, before the film's rays are known.
 constexpr int least_world_map = 4, most_world_map = 32, first_world_map = 12;
 /// Rays of film pencils for each path that checks the image: it costs as much as so many in ten, which see things together.
@@ -55,6 +54,13 @@ int world_set_of(int index) {
 /// How many times the square spread of so many passes counts: they share a blur that it does not show, the more of it the fewer they are,
 /// since the first are the coarsest, and the spread of few is itself hardly known (docs/accuracy.md).
 double caution(int passes) { return 1 + 8.0 / (static_cast<double>(passes) * passes); }
+
+/// How much wider the interval of a mean is that n sequences tell the spread of, in terms of the one of known spread: Student's, 95 %. Few agree
+/// by chance too often.
+double student(int n) {
+    constexpr std::array<double, 3> factor{6.48, 2.20, 1.62};
+    return factor[static_cast<std::size_t>(std::clamp(n, 2, LayerMean::sequences)) - 2];
+}
 
 /// Two passes agree by chance too often.
 constexpr int least_passes = 3;
@@ -80,20 +86,19 @@ std::vector<std::string> light_layers(const std::vector<std::string>& aovs) {
 SurfacePass surface_pass(int index, const RenderOptions& options, const Camera& film, int emitters) {
     const int generation = generation_of(index);
     const auto grown = [&](double exponent) { return std::exp2(exponent * generation); };
-    const bool fine = generation >= fine_generation;
     SurfacePass pass{};
     pass.generation = generation;
     pass.world_set = world_set_of(index);
-    pass.weight = grown(0.8) * (fine ? 0.6 : 1.0);
+    pass.weight = grown(0.8);
     pass.light_samples =
         std::max(static_cast<int>(std::lround(0.5 * options.light_samples * std::clamp(0.5 * emitters, 1.0, 4.0) * grown(0.25))), 1);
     pass.texel_light_samples = std::min(16 * std::min(pass.light_samples, most_texel_samples), most_texel_samples);
     pass.world.pencils = static_cast<int>(std::lround(std::min(options.pencils * std::min(grown(0.5), 16.0), 1048576.0)));
     pass.world.light_draws = light_draws;
-    pass.lattice.coarsest = coarsest_spacing(film) / (fine ? 2 : 1);
-    pass.lattice.most_error = static_cast<float>((fine ? 0.178 : 0.26) * grown(-0.55));
-    pass.lattice.smooth = static_cast<float>((fine ? 0.52 : 0.325) * grown(-0.35));
-    pass.lattice.map = fine ? fine_film_map : film_map;
+    pass.lattice.coarsest = coarsest_spacing(film);
+    pass.lattice.most_error = static_cast<float>(0.3 * grown(-0.55));
+    pass.lattice.smooth = static_cast<float>(0.3 * grown(-0.35));
+    pass.lattice.map = film_map;
     pass.work = grown(0.5);
     if (index == 0 || world_set_of(index - 1) < pass.world_set) pass.work += world_work * pass.world.pencils / options.pencils;
     return pass;
@@ -132,6 +137,7 @@ bool SurfaceMethod::add_pass(const SurfacePass& pass) {
     const Turn turn{hash64(hash64(context_.options.seed) - index % LayerMean::sequences - 1), index / LayerMean::sequences};
     const std::vector<std::string>& aovs = context_.options.aovs;
     frame_ = std::make_unique<Frame>(context_, index_ == 0 ? aovs : light_layers(aovs), pass.light_samples, 0, turn);
+    check_.add_emission(frame_->layers().beauty(), pass.weight);
     const bool lit = frame_->add_direct();
     if (lit) add_bounces(pass, turn);
     mean_.add(frame_->take_layers(), pass.weight, pass.generation);
@@ -212,7 +218,7 @@ bool SurfaceMethod::enough(double pace) {
     const CertifiedError certified = certified_error();
     const bool contradicted = certified.points > 1 && std::abs(certified.mean_bias) >
                                                           std::max(2 * certified.mean_error, mean_share * std::sqrt(options.target_error));
-    const bool mean_known = index_ >= steady_passes || (!contradicted && std::sqrt(caution(mean_.count())) * mean_.mean_standard_error() <=
+    const bool mean_known = index_ >= steady_passes || (!contradicted && student(mean_.count()) * mean_.mean_standard_error() <=
                                                                              mean_share * std::sqrt(options.target_error));
     if (mean_.count() >= least_passes && error <= options.target_error && mean_known) return true;
     const bool stuck =

@@ -8,7 +8,7 @@
 #include "surface/close_series.h"
 #include "surface/emit_hemispheres.h"
 #include "surface/measure_hemispheres.h"
-#include "surface/project_surface_pencils.h"
+#include "surface/project_contacts.h"
 #include "surface/sample_lights.h"
 #include "surface/sum_hemispheres.h"
 #include "surface/transport_irradiance.h"
@@ -25,6 +25,8 @@ constexpr int most_iterations = 512;
 constexpr int least_iterations = 3;
 /// Light samples that a packet of texels chooses from.
 constexpr int most_candidates = 24;
+/// Contacts are seen from nearer than this share of the radius of a pencil: found by trial.
+constexpr float nearness = 0.5F;
 /// The world's bounces stop at this share of the tolerance of the image.
 constexpr double tolerance_share = 0.1;
 
@@ -52,7 +54,9 @@ void SurfaceSolver::place(const SurfacePencils& seeds, float spacing) {
 }
 
 void SurfaceSolver::solve(int map, int orders, double tolerance, std::uint64_t seed) {
-    direct_ = orders < 0 || orders >= 2;
+    limited_ = orders >= 0;
+    direct_ = !limited_ || orders >= 2;
+    contacts_ = !limited_ || orders >= 3;
     if (!direct_ || world_.pencils().count == 0) return;  // film pencils see no reflections
     seed_ = static_cast<uint>(hash64(seed) >> 32);
     clock_.run(
@@ -60,11 +64,15 @@ void SurfaceSolver::solve(int map, int orders, double tolerance, std::uint64_t s
     clock_.run("world bounces", [&] { iterate(orders, tolerance); });
 }
 
-/// Room for the texels of one chunk.
-void SurfaceSolver::reserve(int texels) {
-    if (surfels_.capacity >= texels) return;
-    surfels_ = Surfels(kernels_, texels, "surfels of surface pencils");
-    outgoing_ = surfel_rgb(kernels_.device(), surfels_.capacity, "radiance to surface pencils");
+/// Room for the texels of one chunk, whose radiance becomes 0.
+void SurfaceSolver::reserve(Gathered& gathered, int texels) {
+    if (gathered.surfels.capacity < texels) {
+        const auto& device = kernels_.device();
+        gathered.surfels = Surfels(kernels_, texels, "surfels of surface pencils");
+        gathered.outgoing = surfel_rgb(device, gathered.surfels.capacity, "radiance to surface pencils");
+        gathered.contact = Buffer<unsigned char>(device, static_cast<std::size_t>(gathered.surfels.capacity), "contacts");
+    }
+    gathered.outgoing.fill_zero();
 }
 
 /// Adds reflected light of the light samples.
@@ -75,19 +83,49 @@ void SurfaceSolver::light(const Surfels& surfels, Buffer<float>& outgoing, uint 
                       outgoing);
 }
 
+/// Adds reflected light of the light samples that this gather draws.
+void SurfaceSolver::light(Gathered& gathered) {
+    light(gathered.surfels, gathered.outgoing, static_cast<uint>(hash64((std::uint64_t{seed_} << 32) + ++gathers_) >> 32));
+}
+
 void SurfaceSolver::gather(SurfacePencils& pencils, int first, int count, const TexelPoints& points) {
     const int chunk = std::max(chunk_surfels / pencils.texels(), 1);
+    auto& [surfels, outgoing, contact] = seen_;
     for (int at = first; at < first + count; at += chunk) {
         const int part = std::min(chunk, first + count - at);
-        reserve(part * pencils.texels());
-        trace_hemispheres(kernels_, scene_, pencils, at, part, points, surfels_);
-        measure_hemispheres(kernels_, surfels_, 0, at, part, pencils);
-        outgoing_.fill_zero();
-        emit_hemispheres(kernels_, scene_, surfels_, pencils, at, lights_.near_film, outgoing_);
-        if (direct_) light(surfels_, outgoing_, static_cast<uint>(hash64((std::uint64_t{seed_} << 32) + ++gathers_) >> 32));
-        if (world_.pencils().count > 0) project_surface_pencils(kernels_, surfels_, world_.pencils(), world_.grid(), outgoing_);
-        sum_hemispheres(kernels_, outgoing_, surfels_.capacity, 0, at, part, pencils.n, pencils.irradiance);
+        reserve(seen_, part * pencils.texels());
+        trace_hemispheres(kernels_, scene_, pencils, at, part, points, surfels);
+        measure_hemispheres(kernels_, surfels, 0, at, part, pencils);
+        emit_hemispheres(kernels_, scene_, surfels, pencils, at, lights_.near_film, outgoing);
+        if (direct_) light(seen_);
+        if (const SurfacePencils& world = world_.pencils(); world.count > 0) {
+            project_surface_pencils(kernels_, surfels, world, world.irradiance, world_.grid(), {pencils, at}, contacts_ ? nearness : 0,
+                                    outgoing, contact);
+            if (contacts_) gather_contacts({pencils, at}, part, points);
+        }
+        sum_hemispheres(kernels_, outgoing, surfels.capacity, 0, at, part, pencils.n, pencils.irradiance);
     }
+}
+
+/// Light of order 2 and more to contacts among what these pencils see: one order more than the world set has in store for its readers.
+void SurfaceSolver::gather_contacts(const Viewers& viewers, int count, const TexelPoints& points) {
+    const std::vector<unsigned char> is_contact = seen_.contact.read(0, static_cast<std::size_t>(seen_.surfels.count));
+    const std::vector<SurfacePencil> seeing =
+        viewers.pencils.data.read(static_cast<std::size_t>(viewers.first), static_cast<std::size_t>(count));
+    const Contacts contacts = choose_contacts(is_contact, seeing, viewers.pencils.texels(), points);
+    if (contacts.counts.empty()) return;
+    SurfacePencils pencils(kernels_.device(), static_cast<int>(contacts.counts.size()), contact_map);
+    place_surface_pencils(kernels_, seen_.surfels, contacts.chosen, pencils);
+    reserve(beyond_, pencils.count * pencils.texels());
+    auto& [surfels, outgoing, unused] = beyond_;
+    trace_hemispheres(kernels_, scene_, pencils, 0, pencils.count, points, surfels);
+    emit_hemispheres(kernels_, scene_, surfels, pencils, 0, lights_.near_texel, outgoing);
+    light(beyond_);
+    const SurfacePencils& world = world_.pencils();
+    project_surface_pencils(kernels_, surfels, world, limited_ ? shorter_ : world.irradiance, world_.grid(), {pencils, 0}, 0, outgoing,
+                            unused);
+    sum_hemispheres(kernels_, outgoing, surfels.capacity, 0, 0, pencils.count, pencils.n, pencils.irradiance);
+    project_contacts(kernels_, seen_.surfels, contacts, pencils, seen_.outgoing);
 }
 
 /// Irradiance of all pencils of the world set from emitters near them, or from reflected light of the light samples.
@@ -105,6 +143,7 @@ void SurfaceSolver::iterate(int orders, double tolerance) {
     SurfacePencils& world = world_.pencils();
     const auto count = static_cast<std::size_t>(world.count);
     if (count == 0) return;
+    if (limited_) shorter_ = Buffer<float4>(kernels_.device(), count, "irradiance of fewer bounces");
     Buffer<float4> source(kernels_.device(), count, "irradiance of a bounce"), target(kernels_.device(), count, "irradiance of a bounce");
     sum_light(true, false, source);
     world.irradiance.copy_from(source, 0, 0, count);
@@ -112,6 +151,7 @@ void SurfaceSolver::iterate(int orders, double tolerance) {
     series.add(power(source));
     for (int k = 1; k < most_iterations && (orders < 0 || k + 2 <= orders); ++k) {
         target.fill_zero();
+        if (limited_) shorter_.copy_from(world.irradiance, 0, 0, count);
         if (k == 1 && lights_.samples.maps.count > 0) sum_light(false, true, target);
         transport_irradiance(kernels_, world_.surfels(), world_.links(), world.count, world_.map(), source, target, world.irradiance);
         std::swap(source, target);

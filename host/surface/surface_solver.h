@@ -3,6 +3,7 @@
 
 #include "device/pencil_set.h"
 #include "device/stage_clock.h"
+#include "surface/project_surface_pencils.h"
 #include "surface/world_set.h"
 
 namespace pencil {
@@ -39,10 +40,18 @@ public:
     double residual() const { return residual_; }
 
 private:
+    /// Surfels that texels see, what they send, and which of them are contacts.
+    struct Gathered {
+        Surfels surfels;
+        Buffer<float> outgoing;
+        Buffer<unsigned char> contact;
+    };
     void sum_light(bool emission, bool direct, Buffer<float4>& irradiance);
     void light(const Surfels& surfels, Buffer<float>& outgoing, uint seed);
+    void light(Gathered& gathered);
     void iterate(int orders, double tolerance);
-    void reserve(int texels);
+    void reserve(Gathered& gathered, int texels);
+    void gather_contacts(const Viewers& viewers, int count, const TexelPoints& points);
 
     Kernels& kernels_;
     const DeviceScene& scene_;
@@ -51,9 +60,11 @@ private:
     StageClock& clock_;
     uint seed_;
     WorldSet world_;
-    Surfels surfels_;            // of one chunk of gather()
-    Buffer<float> outgoing_;     // their radiance
+    Gathered seen_, beyond_;     // of one chunk of gather(), and what its contacts see
+    Buffer<float4> shorter_;     // irradiance of the world set up to one order less, if orders are limited
     bool direct_ = true;         // reflections of order 2 are part of the image
+    bool contacts_ = true;       // and of order 3
+    bool limited_ = false;       // not all orders are
     std::uint64_t gathers_ = 0;  // so far: each draws other light samples
     double residual_ = 0;
 };

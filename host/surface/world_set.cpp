@@ -17,7 +17,7 @@ constexpr float alike = 0.7F;
 /// A pencil is used up to this many spacings away.
 constexpr float reach = 1.4F;
 /// Things seen from nearer than the spacing get closer pencils, but not closer than this share of it: light changes fast near contacts.
-constexpr float near_spacing = 0.25F;
+constexpr float near_spacing = 0.5F;
 /// What is seen from far gets wider spacings, this share of the distance.
 constexpr float far_spacing = 0.08F;
 /// The spacing is one with which the first round adds so many of the pencils asked for. Neither area nor extent of the scene matter, only

@@ -15,6 +15,7 @@ typedef struct RayPacket {
     vfloat ix, iy, iz;          // their reciprocals, finite
     vfloat disparity, nearest;  // 1/t and t of the hit
     vint triangle;              // -1: none
+    float most;                 // what has a larger disparity is not there
 } RayPacket;
 
 static inline vfloat finite_reciprocal(vfloat v) { return 1.0f / copysign(fmax(fabs(v), (vfloat)(BVH_TINY)), v); }
@@ -30,6 +31,7 @@ static inline RayPacket ray_packet(vfloat x, vfloat y, vfloat z) {
     r.disparity = 0.0f;
     r.nearest = INFINITY;
     r.triangle = -1;
+    r.most = INFINITY;
     return r;
 }
 
@@ -47,26 +49,34 @@ static inline vint packet_meets_box(const RayPacket *r, float4 low, float4 high,
                               entry);
 }
 
-/// Meets one triangle, unless its plane passes within `tolerance` of the origin. Nearer wins, at equal disparity the lower index.
+/// Distance from the origin within which the plane of a triangle, corners relative to the origin, passes through it: as bound_film.
+static inline float edge_on_distance(float4 a, float4 b, float4 c) {
+    float4 far = fmax(fabs(a), fmax(fabs(b), fabs(c)));
+    return PLANE_TOLERANCE * fmin(fmax(far.x, fmax(far.y, far.z)), 1.0f);
+}
+
+/// Meets one triangle, unless its plane passes within `tolerance` of the origin; below 0: within edge_on_distance. Nearer wins, at equal
+/// disparity the lower index.
 static inline void packet_meet_triangle(RayPacket *r, global const Triangle *t, int index, float4 plane, float4 origin, float tolerance) {
     float ahead = plane_ahead(plane, origin);
     if (fabs(ahead) <= tolerance) return;
     float side = ahead > 0.0f ? 1.0f : -1.0f;
     float4 a = t->v0 - origin, b = t->v1 - origin, c = t->v2 - origin;
+    if (tolerance < 0.0f && fabs(ahead) < edge_on_distance(a, b, c)) return;
     float4 ab = edge_normal(a, b) * side, bc = edge_normal(b, c) * side, ca = edge_normal(c, a) * side, w = plane / ahead;
     vfloat disparity = fma(r->x, (vfloat)(w.x), fma(r->y, (vfloat)(w.y), r->z * w.z));
     vint meets = PACKET_MASK(fma(r->x, (vfloat)(ab.x), fma(r->y, (vfloat)(ab.y), r->z * ab.z)) >= 0.0f) &
                  PACKET_MASK(fma(r->x, (vfloat)(bc.x), fma(r->y, (vfloat)(bc.y), r->z * bc.z)) >= 0.0f) &
                  PACKET_MASK(fma(r->x, (vfloat)(ca.x), fma(r->y, (vfloat)(ca.y), r->z * ca.z)) >= 0.0f);
     vint nearer = PACKET_MASK(disparity > r->disparity) | (PACKET_MASK(disparity == r->disparity) & PACKET_MASK(index < r->triangle));
-    meets &= nearer & PACKET_MASK(disparity > 0.0f);
+    meets &= nearer & PACKET_MASK(disparity > 0.0f) & PACKET_MASK(disparity <= r->most);
     r->disparity = select(r->disparity, disparity, meets);
     r->nearest = select(r->nearest, 1.0f / disparity, meets);
     r->triangle = select(r->triangle, (vint)(index), meets);
 }
 
 /// Follows the rays through the whole scene but for the plane `own` that they start on (-1: on none), and for planes within `tolerance` of
-/// the origin; 0: planes stop rays however near they are.
+/// the origin; 0: planes stop rays however near they are; below 0: planes of triangles that are seen edge-on do not.
 static inline void packet_trace(RayPacket *r, float4 origin, int own, float tolerance, global const BvhNode *nodes,
                                 global const int *leaves, global const Triangle *triangles, global const float4 *planes) {
     int stack[BVH_MOST_LEVELS + 1];

@@ -105,9 +105,9 @@ static inline int stand_in_pencil(global const SurfacePencil *pencils, PencilGri
     return found.index;
 }
 
-/// The links of a point. Where none may be used, another stands in, if there is one: then index[1] is LINK_STANDS_IN.
-static inline PencilLinks nearest_pencils(global const SurfacePencil *pencils, PencilGrid grid, global const int *starts,
-                                          global const float *entries, float3 x, float3 n) {
+/// The links of a point; index[0] is -1 where no pencil may be used.
+static inline PencilLinks reaching_pencils(global const SurfacePencil *pencils, PencilGrid grid, global const int *starts,
+                                           global const float *entries, float3 x, float3 n) {
     PencilLinks links = {{-1, -1, -1, -1}, {0.0f, 0.0f, 0.0f, 0.0f}};
     float3 at = (x - grid.origin.xyz) * grid.origin.w;
     float weight = grid.origin.w * grid.origin.w / (PENCIL_GRID_REACH * PENCIL_GRID_REACH);
@@ -119,7 +119,14 @@ static inline PencilLinks nearest_pencils(global const SurfacePencil *pencils, P
     }
     float sum = links.weight[0] + links.weight[1] + links.weight[2] + links.weight[3];
     for (int k = 0; k < LINKS; ++k) links.weight[k] = sum > 0.0f ? links.weight[k] / sum : 0.0f;
-    if (sum > 0.0f) return links;
+    return links;
+}
+
+/// The links of a point. Where none may be used, another stands in, if there is one: then index[1] is LINK_STANDS_IN.
+static inline PencilLinks nearest_pencils(global const SurfacePencil *pencils, PencilGrid grid, global const int *starts,
+                                          global const float *entries, float3 x, float3 n) {
+    PencilLinks links = reaching_pencils(pencils, grid, starts, entries, x, n);
+    if (links.index[0] >= 0) return links;
     links.index[0] = stand_in_pencil(pencils, grid, starts, entries, x, n);
     if (links.index[0] < 0) return links;
     links.index[1] = LINK_STANDS_IN;

@@ -6,6 +6,7 @@
 #include "link_surfels.cl"
 #include "measure_hemispheres.cl"
 #include "place_surface_pencils.cl"
+#include "project_contacts.cl"
 #include "project_film_pencils.cl"
 #include "project_surface_pencils.cl"
 #include "smooth_irradiance.cl"

@@ -8,6 +8,8 @@ namespace {
 void project(benchmark::State& state) {
     WorldBench& bench = world_bench();
     const Surfels& surfels = bench.world.surfels();
+    const SurfacePencils& world = bench.world.pencils();
+    Buffer<unsigned char> contact(device(), static_cast<std::size_t>(surfels.capacity), "contacts");
     Buffer<float> outgoing = surfel_rgb(device(), surfels.capacity, "outgoing");
     std::vector<float> native_outgoing(static_cast<std::size_t>(surfels.capacity) * 3);
     compare(
@@ -16,7 +18,9 @@ void project(benchmark::State& state) {
          bench.texels(),
          64.0 * bench.texels(),
          {"project surface pencils"}},
-        [&] { project_surface_pencils(bench.kernels, surfels, bench.world.pencils(), bench.world.grid(), outgoing); },
+        [&] {
+            project_surface_pencils(bench.kernels, surfels, world, world.irradiance, bench.world.grid(), {world, 0}, 0, outgoing, contact);
+        },
         [&] {
             native::project_surface_pencils(bench.surfels(), bench.pencils.data(), bench.irradiance.data(), bench.grid_view(),
                                             {native_outgoing.data(), bench.surfels().capacity});

@@ -1,5 +1,7 @@
 // Grouping of visibility samples into surfels, and the surfels themselves: every sample that shows something has a surfel of its own shape,
 // surfels lie on a sample's hit, and flat scenes have one surfel per plane and pixel.
+#include <map>
+
 #include "film/rasterize_film.h"
 #include "kernels/film_test.h"
 #include "pencils/film_filter.h"
@@ -19,7 +21,8 @@ struct Classified {
     HostSurfels surfels;
 };
 
-Classified classify(TestScene scene, const TestCamera& view, int samples) {
+/// `seed`, `shift`: of the samples that surfels take, 0: the middle ones.
+Classified classify(TestScene scene, const TestCamera& view, int samples, uint seed = 0, uint shift = 0) {
     Kernels kernels = make_kernels(false, Weights::dpdf, 0, samples);
     scene.flat.to_film = view.to_film;
     const DeviceScene s(device(), scene.flat);
@@ -42,14 +45,14 @@ Classified classify(TestScene scene, const TestCamera& view, int samples) {
     const Buffer<int> first_surfel(device(), first, "first surfels");
     Surfels surfels(device(), next, "surfels");
     kernels.get("film_surfels")
-        .args(hits, view.camera, positions, samples, 0, rows, slots, counts, first_surfel, s.triangles, s.planes, s.materials, s.normals,
-              surfels.data, surfels.capacity)
+        .args(hits, view.camera, positions, samples, 0, rows, seed, shift, slots, counts, first_surfel, s.triangles, s.planes, s.materials,
+              s.normals, surfels.data, surfels.capacity)
         .run(pixels, "film surfels");
     return {hits.read(), slots.read(), counts.read(), first, offsets, HostSurfels(surfels)};
 }
 
-void check(const TestScene& scene, const TestCamera& view, int samples) {
-    const Classified c = classify(scene, view, samples);
+void check(const TestScene& scene, const TestCamera& view, int samples, uint seed) {
+    const Classified c = classify(scene, view, samples, seed, 77 * seed);
     const std::size_t pixels = c.counts.size();
     for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
         SCOPED_TRACE("pixel " + std::to_string(pixel));
@@ -92,9 +95,35 @@ TEST(ClassifyFilm, BoxRoomAndSoup) {
     const TestCamera inside = make_camera({0.4, 0.3, -0.6}, {-0.5, -0.3, 1}, {0, 1, 0}, 1.0, 33, 21);
     for (const int samples : {1, 4, 16}) {
         SCOPED_TRACE(std::to_string(samples) + " samples");
-        check(box_scene(121), inside, samples);
-        check(soup_scene(122, 30), make_camera({0.1, 0.2, -2.5}, {0, 0, 1}, {0, 1, 0}, 0.5, 37, 23), samples);
+        for (const uint seed : {0U, 5U}) {
+            check(box_scene(121), inside, samples, seed);
+            check(soup_scene(122, 30), make_camera({0.1, 0.2, -2.5}, {0, 0, 1}, {0, 1, 0}, 0.5, 37, 23), samples, seed);
+        }
     }
+}
+
+/// Shares at equal steps take every sample of a pixel equally often.
+TEST(ClassifyFilm, SurfelsOfManyImagesLieAtAllSamples) {
+    constexpr int samples = 16, images = 64;
+    const TestScene scene = box_scene(124);
+    const TestCamera inside = make_camera({0.4, 0.3, -0.6}, {-0.5, -0.3, 1}, {0, 1, 0}, 1.0, 9, 7);
+    std::vector<std::map<std::vector<double>, int>> taken;  // of each pixel: how often a surfel lies at a place
+    for (uint image = 0; image < images; ++image) {
+        const Classified c = classify(scene, inside, samples, 3, image << 26);
+        taken.resize(c.counts.size());
+        for (std::size_t pixel = 0; pixel < c.counts.size(); ++pixel) {
+            const dvec3 x = c.surfels.position(c.first[pixel]);
+            if (c.counts[pixel] == 1) ++taken[pixel][{x.x, x.y, x.z}];
+        }
+    }
+    int looked = 0;
+    for (const auto& places : taken) {
+        if (places.empty()) continue;
+        ++looked;
+        EXPECT_EQ(places.size(), samples);
+        for (const auto& [place, count] : places) EXPECT_EQ(count, images / samples);
+    }
+    EXPECT_GT(looked, 30);
 }
 
 TEST(ClassifyFilm, InteriorPixelsHaveOneSurfel) {

@@ -12,13 +12,29 @@ using namespace pencil::test;
 
 constexpr float start = 0.5F;  // what the surfels send before
 
-std::vector<float> project(const std::vector<SurfacePencil>& pencils, const std::vector<float4>& irradiance, const MadeSurfels& surfels) {
+struct Projected {
+    std::vector<float> outgoing;
+    std::vector<unsigned char> contact;
+};
+
+/// Viewers have maps of 4 x 4 texels.
+Projected project(const std::vector<SurfacePencil>& pencils, const std::vector<float4>& irradiance, const MadeSurfels& surfels,
+                  const std::vector<SurfacePencil>& viewers, int first_viewer, float nearness) {
     Kernels kernels = make_kernels();
-    SurfacePencils set = on_device(pencils);
-    set.irradiance.write(irradiance);
+    const SurfacePencils set = on_device(pencils);
+    SurfacePencils seeing = on_device(viewers);
+    seeing.n = 4;
     Buffer<float> outgoing = filled_rgb(surfels.capacity, start);
-    project_surface_pencils(kernels, surfels.on_device(), set, DeviceGrid(device(), pencils), outgoing);
-    return outgoing.read();
+    Buffer<unsigned char> contact(device(), std::vector<unsigned char>(static_cast<std::size_t>(surfels.capacity), 7), "contacts");
+    project_surface_pencils(kernels, surfels.on_device(), set, Buffer<float4>(device(), irradiance, "irradiance"),
+                            DeviceGrid(device(), pencils), {seeing, first_viewer}, nearness, outgoing, contact);
+    return {outgoing.read(), contact.read()};
+}
+
+std::vector<float> project(const std::vector<SurfacePencil>& pencils, const std::vector<float4>& irradiance, const MadeSurfels& surfels) {
+    const Projected projected = project(pencils, irradiance, surfels, pencils, 0, 0);
+    for (int i = 0; i < surfels.count; ++i) EXPECT_EQ(projected.contact[static_cast<std::size_t>(i)], 0) << i;
+    return projected.outgoing;
 }
 
 /// Every seventh surfel is black, every eleventh saw nothing.
@@ -52,6 +68,40 @@ TEST(ProjectSurfacePencils, ReflectTheLinkedIrradiance) {
             }
         }
     EXPECT_GT(compared, 1500);
+}
+
+TEST(ProjectSurfacePencils, WhatIsSeenFromNearIsLeftToItself) {
+    constexpr int count = 992, first_viewer = 3;
+    constexpr float nearness = 0.6F;
+    BumpySurface surface(11);
+    std::vector<SurfacePencil> placed, viewers;
+    for (int p = 0; p < 60; ++p) placed.push_back(surface.pencil(surface.point(), surface.random.uniform(0.05, 0.4)));
+    for (int v = 0; v < first_viewer + count / 16; ++v) viewers.push_back(surface.pencil(surface.point(), 0.1));
+    const std::vector<float4> irradiance = random_irradiance(surface.random, placed.size());
+    const MadeSurfels surfels = made_surfels(surface, count);
+    const Projected all = project(placed, irradiance, surfels, viewers, first_viewer, 0),
+                    far = project(placed, irradiance, surfels, viewers, first_viewer, nearness);
+    const auto capacity = static_cast<std::size_t>(surfels.capacity);
+    int contacts = 0, others = 0;
+    for (int i = 0; i < count; ++i) {
+        const std::string what = "surfel " + std::to_string(i);
+        const bool reflects = surfels.bits(SURFEL_PLANE, i) >= 0 && surfels.albedo(i) != dvec3(0);
+        const ref::FoundLinks found = ref::find_links(placed, surfels.position(i), surfels.normal(i));
+        if (reflects && found.margin < tolerance::decision) continue;
+        bool contact = reflects && found.links.empty();
+        if (reflects && !contact) {
+            const double distance =
+                             glm::distance(surfels.position(i), xyz(viewers[static_cast<std::size_t>(first_viewer + i / 16)].position)),
+                         most = nearness * placed[static_cast<std::size_t>(found.links.front().pencil)].normal.w;
+            if (std::abs(distance - most) < tolerance::position) continue;
+            contact = distance < most;
+        }
+        EXPECT_EQ(far.contact[static_cast<std::size_t>(i)], contact ? 1 : 0) << what;
+        expect_close(rgb_at(far.outgoing, capacity, i), contact ? dvec3(start) : rgb_at(all.outgoing, capacity, i), 0, what);
+        ++(contact ? contacts : others);
+    }
+    EXPECT_GT(contacts, 50);
+    EXPECT_GT(others, 500);
 }
 
 TEST(ProjectSurfacePencils, ConstantIrradianceStaysConstant) {

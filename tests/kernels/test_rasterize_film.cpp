@@ -1,6 +1,9 @@
-// Visibility samples of the film against a brute-force ray cast of every sample: the same truth and the same ties as the octahedral maps.
+// Visibility samples of the film, rasterised and traced, against a brute-force ray cast of every sample: the same truth and the same ties as the
+// octahedral maps.
 #include "film/rasterize_film.h"
+#include "film/trace_film.h"
 #include "kernels/film_test.h"
+#include "pencils/build_bvh.h"
 #include "pencils/film_filter.h"
 #include "reference/tolerances.h"
 
@@ -9,19 +12,21 @@ namespace {
 using namespace pencil;
 using namespace pencil::test;
 
-std::vector<Hit> rasterize(TestScene scene, const TestCamera& view, const std::vector<glm::vec2>& offsets, int first_row, int rows) {
+using Look = void(Kernels&, const DeviceScene&, const Camera&, const Buffer<glm::vec2>&, int, int, int, Buffer<Hit>&, const std::string&);
+
+std::vector<Hit> see(Look look, TestScene scene, const TestCamera& view, const std::vector<glm::vec2>& offsets, int first_row, int rows) {
     Kernels kernels = make_kernels();
     scene.flat.to_film = view.to_film;
-    const DeviceScene on_device(device(), scene.flat);
+    const DeviceScene on_device(device(), scene.flat, build_bvh(scene.flat.triangles));
     const Buffer<glm::vec2> positions(device(), offsets, "offsets");
     Buffer<Hit> hits(device(), offsets.size() * static_cast<std::size_t>(rows * view.camera.width), "hits");
-    rasterize_film(kernels, on_device, view.camera, positions, static_cast<int>(offsets.size()), first_row, rows, hits);
+    look(kernels, on_device, view.camera, positions, static_cast<int>(offsets.size()), first_row, rows, hits, "film hits");
     return hits.read();
 }
 
-void check(const TestScene& scene, const TestCamera& view, int samples, int first_row, int rows, int least_seen = 1) {
+void check(Look look, const TestScene& scene, const TestCamera& view, int samples, int first_row, int rows, int least_seen) {
     const std::vector<glm::vec2> offsets = film_sample_offsets(samples, 5);
-    const std::vector<Hit> hits = rasterize(scene, view, offsets, first_row, rows);
+    const std::vector<Hit> hits = see(look, scene, view, offsets, first_row, rows);
     int ties = 0, seen = 0;
     for (std::size_t k = 0; k < hits.size(); ++k) {
         const int width = view.camera.width, x = static_cast<int>(k) % width, row = static_cast<int>(k) / width % rows;
@@ -51,6 +56,10 @@ void check(const TestScene& scene, const TestCamera& view, int samples, int firs
     }
     EXPECT_LE(ties, 2 + 5e-4 * static_cast<double>(hits.size()));
     EXPECT_GE(seen, least_seen);
+}
+
+void check(const TestScene& scene, const TestCamera& view, int samples, int first_row, int rows, int least_seen = 1) {
+    for (Look* look : {rasterize_film, trace_film}) check(*look, scene, view, samples, first_row, rows, least_seen);
 }
 
 TEST(RasterizeFilm, SoupsRoomsAndSizes) {

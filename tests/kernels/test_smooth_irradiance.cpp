@@ -82,6 +82,26 @@ TEST(SmoothIrradiance, LinearIrradianceOnAPlaneIsKept) {
     }
 }
 
+/// Pencils that no neighbour may stand for had no value in rooms that are a millionth of the scene: squares of squares of distances left the
+/// range of floats.
+TEST(SmoothIrradiance, SmallThingsAreFittedAsLargeOnes) {
+    MadeFilm film(37, 23, 8, 2, 55);
+    const std::vector<float4> irradiance = random_irradiance(film.random(), film.pencils.size());
+    const std::vector<float4> large = smooth(film, irradiance);
+    constexpr float scale = 0x1p-24F;
+    for (SurfacePencil& p : film.pencils) {
+        p.position *= scale;
+        for (float& h : p.horizon_x) h /= scale;
+        for (float& h : p.horizon_y) h /= scale;
+    }
+    const std::vector<float4> small = smooth(film, irradiance);
+    for (std::size_t p = 0; p < film.pencils.size(); ++p) {
+        expect_close(xyz(small[3 * p]), xyz(large[3 * p]), 1e-6, "value of pencil " + std::to_string(p));
+        for (const std::size_t slope : {3 * p + 1, 3 * p + 2})
+            expect_close(dvec3(scale) * xyz(small[slope]), xyz(large[slope]), 1e-6, "slope of pencil " + std::to_string(p));
+    }
+}
+
 TEST(SmoothIrradiance, PermutingPencilsChangesNothing) {
     MadeFilm film(37, 23, 8, 2, 54);
     const std::vector<int> order = shuffled(film.random(), film.pencils.size());

@@ -63,11 +63,12 @@ struct Fit {
     double margin = 1.0;
 };
 
-constexpr int smooth_reach = 2;      // neighbours to each side
+constexpr int smooth_reach = 3;      // neighbours to each side
+constexpr double slope_tiny = 1e-6;  // least distance that neighbours count as, share of the pencil's own mean distance
 constexpr double slope_hold = 1e-3;  // share of the neighbours' second moment that holds slopes at 0
 
 /// The function v + a s + b u, (s, u) along the tangents, that minimises sum w (E - v - a s - b u)^2 + hold (a^2 + b^2) over the pencils
-/// up to two spacings away on the pencil's own lattice. A neighbour's weight falls from 1 to 0 as the mean of the two reuse errors, of
+/// up to three spacings away on the pencil's own lattice. A neighbour's weight falls from 1 to 0 as the mean of the two reuse errors, of
 /// each for the other's place, grows to most_error. The value is not below 0.
 inline Fit fit(const Lattice& lattice, const std::vector<float4>& irradiance, int px, int py, double most_error) {
     const int own_index = lattice.at[static_cast<std::size_t>(py * lattice.width + px)];
@@ -104,7 +105,8 @@ inline Fit fit(const Lattice& lattice, const std::vector<float4>& irradiance, in
     }
     const double w = moments[0][0];
     const double spread = moments[1][1] - moments[0][1] * moments[0][1] / w + moments[2][2] - moments[0][2] * moments[0][2] / w;
-    const double hold = slope_hold * spread + w * no_step(x) * no_step(x);
+    const double tiny = std::max(no_step(x), slope_tiny * static_cast<double>(own.position.w));
+    const double hold = slope_hold * spread + w * tiny * tiny;
     moments[1][1] += hold;
     moments[2][2] += hold;
     const glm::dmat3 solution = right * glm::inverse(moments);

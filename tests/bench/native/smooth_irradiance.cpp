@@ -5,7 +5,7 @@
 namespace pencil::native {
 namespace {
 
-constexpr int smooth_reach = 2;
+constexpr int smooth_reach = 3;
 constexpr float slope_hold = 1e-3F;
 
 /// Sums of weights, of (s, u) and the irradiance, and of their products.
@@ -24,7 +24,8 @@ struct Sums {
         es += weight * s * irradiance;
         eu += weight * u * irradiance;
     }
-    void solve(float tiny, float4* fit) const {
+    /// s and u are in terms of `unit`.
+    void solve(float tiny, float unit, float4* fit) const {
         const float ms = ws / w, mu = wu / w;
         float ss = wss - ms * ws, uu = wuu - mu * wu;
         const float su = wsu - ms * wu, hold = slope_hold * (ss + uu) + w * tiny * tiny;
@@ -34,8 +35,8 @@ struct Sums {
         const float4v cs = es - ms * e, cu = eu - mu * e, t = (uu * cs - su * cu) / determinant, b = (ss * cu - su * cs) / determinant;
         const float4v value = e / w - ms * t - mu * b, zero{};
         store(value > zero ? value : zero, fit);
-        store(t, fit + 1);
-        store(b, fit + 2);
+        store(t / unit, fit + 1);
+        store(b / unit, fit + 2);
     }
 };
 
@@ -52,6 +53,7 @@ void smooth_irradiance(const LatticeView& film, const float4* irradiance, float 
                 const Vec3 x = xyz(own.position), n = xyz(own.normal);
                 Vec3 t, b;
                 tangent_frame(n, t, b);
+                const float unit = own.position.w;
                 Sums sums;
                 for (int dy = -smooth_reach; dy <= smooth_reach; ++dy)
                     for (int dx = -smooth_reach; dx <= smooth_reach; ++dx) {
@@ -64,9 +66,10 @@ void smooth_irradiance(const LatticeView& film, const float4* irradiance, float 
                         if (distance == infinite) continue;
                         const float error = reuse_error(p, distance, n) + reuse_error(own, distance, n);
                         const Vec3 step = xyz(p.position) - x;
-                        sums.add(std::max(1.0F - error / (2.0F * most_error), 0.0F), dot(step, t), dot(step, b), load4(irradiance[other]));
+                        sums.add(std::max(1.0F - error / (2.0F * most_error), 0.0F), dot(step, t) / unit, dot(step, b) / unit,
+                                 load4(irradiance[other]));
                     }
-                sums.solve(position_error(x), fits + 3 * static_cast<std::size_t>(index));
+                sums.solve(std::max(position_error(x) / unit, 1e-6F), unit, fits + 3 * static_cast<std::size_t>(index));
             }
         });
 }

@@ -61,6 +61,10 @@ void link_surfels(const SurfelsView& surfels, const SurfacePencil* pencils, cons
 void project_surface_pencils(const SurfelsView& surfels, const SurfacePencil* pencils, const float4* irradiance, const GridView& grid,
                              RgbView outgoing);
 
+/// Adds the reflected irradiance of `count` pencils on chosen surfels, as often as `counts` says.
+void project_contacts(const SurfelsView& surfels, const int* chosen, const float* counts, int count, const float4* irradiance,
+                      RgbView outgoing);
+
 /// One bounce of `count` pencils of n x n texels.
 void transport_irradiance(const SurfelsView& surfels, const glm::ivec4* links, const float4* weights, int count, int n,
                           const float4* source, float4* target, float4* total);
