@@ -137,10 +137,11 @@ bool SurfaceMethod::add_pass(const SurfacePass& pass) {
     const Turn turn{hash64(hash64(context_.options.seed) - index % LayerMean::sequences - 1), index / LayerMean::sequences};
     const std::vector<std::string>& aovs = context_.options.aovs;
     frame_ = std::make_unique<Frame>(context_, index_ == 0 ? aovs : light_layers(aovs), pass.light_samples, 0, turn);
-    check_.add_emission(frame_->layers().beauty(), pass.weight);
+    const std::vector<float> emission = frame_->layers().beauty();
     const bool lit = frame_->add_direct();
     if (lit) add_bounces(pass, turn);
     mean_.add(frame_->take_layers(), pass.weight, pass.generation);
+    check_.add_emission(emission, pass.weight);
     frame_ = nullptr;
     context_.stats.passes = mean_.count();
     return lit;
@@ -228,7 +229,7 @@ bool SurfaceMethod::enough(double pace) {
             "stopped {} --target-error: the estimated relMSE is {:.2g} after {} passes{}, the mean known to {:.1g} %; --time S goes on, "
             "more --pencils may help",
             error > options.target_error ? "above" : "by", error, index_, stuck ? " and falls no further" : "",
-            100 * mean_.mean_standard_error()));
+            100 * student(mean_.count()) * mean_.mean_standard_error()));
         return true;
     }
     if ((index_ & (index_ - 1)) == 0) {
