@@ -4,7 +4,7 @@ namespace pencil {
 
 namespace {
 
-/// Triangles for each column of the film from which on rays are faster, measured with 0.1 to 1 million of them (docs/performance.md).
+/// Triangles for each column of the film from which on rays are faster, a rule from docs/performance.md.
 constexpr int triangles_per_column = 400;
 
 }  // namespace
