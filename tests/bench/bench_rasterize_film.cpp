@@ -14,35 +14,33 @@ std::vector<int> triangles_of(const std::vector<Hit>& hits) {
     return out;
 }
 
-void rasterize(benchmark::State& state) {
-    Workbench& bench = workbench();
+/// Either way to find the samples against native rasterisation.
+template <typename Look>
+void see(benchmark::State& state, Look look) {
+    const Camera& camera = workbench().flat.camera;
     FilmBench film;
     const int rows = sizes().film, samples = sizes().film_samples;
     const double count = static_cast<double>(film.hits.size());
     compare(
         state, {product(static_cast<long long>(rows) * rows, "pixels", samples, "samples"), count, count * sizeof(Hit), {"bench film"}},
-        [&] {
-            rasterize_film(bench.kernels, bench.on_device, bench.flat.camera, film.device_offsets, samples, 0, rows, film.hits,
-                           "bench film");
-        },
-        [&] { film.rasterize_native(); },
-        [&] { return differences(triangles_of(film.hits.read()), triangles_of(film.native_hits), 1e-4); });
-}
-/// The native partner rasterises, too.
-void trace(benchmark::State& state) {
-    const WorldBench& world = world_bench();
-    FilmBench film;
-    const int rows = sizes().film, samples = sizes().film_samples;
-    const double count = static_cast<double>(film.hits.size());
-    compare(
-        state, {product(static_cast<long long>(rows) * rows, "pixels", samples, "samples"), count, count * sizeof(Hit), {"bench film"}},
-        [&] {
-            trace_film(world.kernels, world.scene, workbench().flat.camera, film.device_offsets, samples, 0, rows, film.hits, "bench film");
-        },
-        [&] { film.rasterize_native(); },
+        [&] { look(camera, film.device_offsets, samples, rows, film.hits); }, [&] { film.rasterize_native(); },
         [&] { return differences(triangles_of(film.hits.read()), triangles_of(film.native_hits), 1e-4); });
 }
 
+void rasterize(benchmark::State& state) {
+    see(
+        state,
+        [](const auto& camera, const auto& offsets, int samples, int rows, auto& hits) {
+            rasterize_film(workbench().kernels, workbench().on_device, camera, offsets, samples, 0, rows, hits, "bench film");
+        });
+}
+void trace(benchmark::State& state) {
+    see(
+        state,
+        [](const auto& camera, const auto& offsets, int samples, int rows, auto& hits) {
+            trace_film(world_bench().kernels, world_bench().scene, camera, offsets, samples, 0, rows, hits, "bench film");
+        });
+}
 BENCHMARK(rasterize)->Name("rasterize_film")->UseManualTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(trace)->Name("trace_film")->UseManualTime()->Unit(benchmark::kMillisecond);
 
