@@ -10,7 +10,8 @@ packages=(
     ocl-icd-opencl-dev opencl-c-headers opencl-clhpp-headers pocl-opencl-icd clinfo
     # Libraries. OpenImageIO's CMake files name a folder of OpenCV, which only libopencv-core-dev has.
     libopenimageio-dev libimath-dev libopencv-core-dev openimageio-tools
-    libembree-dev libtbb-dev libglm-dev libcli11-dev libfmt-dev libspdlog-dev libpugixml-dev nlohmann-json3-dev
+    libembree-dev libtbb-dev libglm-dev libcli11-dev libfmt-dev libspdlog-dev libpugixml-dev libtinygltf-dev zlib1g-dev
+    nlohmann-json3-dev
     libkainjow-mustache-dev
     # Tests, benchmarks, format, plots
     libgtest-dev libgmock-dev libbenchmark-dev clang-format clang-tidy

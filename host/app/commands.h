@@ -3,7 +3,6 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -11,15 +10,14 @@
 #include "options/layer.h"
 #include "options/reference_options.h"
 #include "options/render_options.h"
+#include "scene/load_options.h"
 #include "util/error.h"
 
 namespace pencil {
 
-using SceneDefines = std::map<std::string, std::string>;
-
 struct RenderCommand {
     std::filesystem::path scene;
-    SceneDefines defines;
+    LoadOptions load;
     std::vector<std::filesystem::path> outputs;
     RenderOptions options;
     std::string device;
@@ -29,7 +27,7 @@ struct RenderCommand {
 
 struct ReferenceCommand {
     std::filesystem::path scene;
-    SceneDefines defines;
+    LoadOptions load;
     std::vector<std::filesystem::path> outputs;
     std::vector<std::string> aovs = layer_groups();  // not variance: samples that give it are stratified less
     ReferenceOptions options;                        // all but the wanted layers
@@ -39,7 +37,7 @@ struct ReferenceCommand {
 
 struct InfoCommand {
     std::filesystem::path scene;
-    SceneDefines defines;
+    LoadOptions load;
 };
 
 struct CompareCommand {
@@ -50,7 +48,7 @@ struct CompareCommand {
 
 struct ConvergeCommand {
     std::filesystem::path scene;
-    SceneDefines defines;
+    LoadOptions load;
     std::filesystem::path reference;  // empty: made by the path tracer
     std::filesystem::path folder;
     std::vector<std::string> methods = method_names();

@@ -44,7 +44,7 @@ std::string command_text(const ConvergeCommand& command, const ConvergeOptions& 
         names.erase(std::remove(names.begin(), names.end(), ' '), names.end());
         add("--methods", names.empty() ? "none" : names);
     }
-    for (const auto& [name, value] : command.defines) {
+    for (const auto& [name, value] : command.load.defines) {
         std::string define = name;
         add("-D", define.append("=").append(value));
     }
@@ -77,7 +77,7 @@ void print_report(const Report& report) {
 
 ExitCode run_converge(const ConvergeCommand& command) {
     set_quiet(command.quiet);
-    const Scene scene = load_scene(command.scene, {command.defines});
+    const Scene scene = load_scene(command.scene, command.load);
     std::for_each(scene.warnings.begin(), scene.warnings.end(), print_warning);
     const ConvergeOptions options = converge_options(command, scene);
     const std::shared_ptr<Device> device = Device::open(command.device);

@@ -7,14 +7,13 @@
 
 #include "app/commands.h"
 #include "app/message.h"
+#include "app/scene_listing.h"
 #include "options/option_values.h"
 #include "scene/formats/load_scene.h"
 #include "util/format.h"
 
 namespace pencil {
 namespace {
-
-std::string vector_text(const glm::dvec3& v) { return "(" + format_short(v.x) + ", " + format_short(v.y) + ", " + format_short(v.z) + ")"; }
 
 void print_bounds(const Scene& scene) {
     if (scene.positions.empty()) {
@@ -45,28 +44,21 @@ void print_shapes(const Scene& scene) {
     }
 }
 
-void print_lights(const Scene& scene) {
-    const auto area_lights = std::count_if(scene.shapes.begin(), scene.shapes.end(), [](const Shape& shape) { return shape.emits; });
-    std::cout << "emitters   " << area_lights + static_cast<std::ptrdiff_t>(scene.point_lights.size()) << ": " << area_lights << " area, "
-              << scene.point_lights.size() << " point\n";
-    for (const PointLight& light : scene.point_lights)
-        std::cout << "  point at " << vector_text(light.position) << ", intensity " << vector_text(light.intensity) << "\n";
-}
-
-void print_materials(const Scene& scene) {
-    std::cout << "materials  " << scene.materials.size() << "\n";
-    for (const SceneMaterial& material : scene.materials) {
-        std::cout << "  " << (material.id.empty() ? "(unnamed)" : printable(material.id)) << ": diffuse, albedo "
-                  << vector_text(material.albedo) << (material.two_sided ? ", two-sided" : "") << "\n";
-    }
-}
-
 void print_film(const Scene& scene) {
     const char* const filters[] = {"box", "tent", "gaussian", "mitchell", "catmullrom", "lanczos"};
     const PerspectiveSensor& sensor = scene.sensor;
-    std::cout << "film       " << sensor.width << "x" << sensor.height << ", " << filters[static_cast<int>(sensor.filter.kind)]
-              << " filter of radius " << format_short(sensor.filter.radius) << ", horizontal field of view " << format_short(sensor.fov_x)
-              << " degrees\nmax_depth  " << (scene.max_depth < 0 ? "no limit" : std::to_string(scene.max_depth)) << "\n";
+    std::cout << "film       " << sensor.width << "x" << sensor.height;
+    if (sensor.crop_width > 0)
+        std::cout << ", of it " << sensor.crop_width << "x" << sensor.crop_height << " from (" << sensor.crop_x << ", " << sensor.crop_y
+                  << ")";
+    std::cout << ", " << filters[static_cast<int>(sensor.filter.kind)] << " filter of radius " << format_short(sensor.filter.radius);
+    if (sensor.orthographic)
+        std::cout << ", orthographic";
+    else
+        std::cout << ", horizontal field of view " << format_short(sensor.fov_x) << " degrees";
+    if (sensor.aperture_radius > 0)
+        std::cout << ", lens of radius " << format_short(sensor.aperture_radius) << " sharp at " << format_short(sensor.focus_distance);
+    std::cout << "\nmax_depth  " << (scene.max_depth < 0 ? "no limit" : std::to_string(scene.max_depth)) << "\n";
 }
 
 /// One line per feature that a scene can ask for: needed, or what its absence saves.
@@ -74,7 +66,7 @@ void print_needs(const Scene& scene) {
     const auto line = [](bool needed, const std::string& feature, const std::string& saving) {
         std::cout << "  " << (needed ? "needed    " : "left out  ") << feature << (needed ? "" : ": " + saving) << "\n";
     };
-    const bool lights = !scene.point_lights.empty();
+    const bool lights = !scene.point_lights.empty(), far = !scene.directional_lights.empty() || scene.environment;
     const bool area = std::any_of(scene.shapes.begin(), scene.shapes.end(), [](const Shape& shape) { return shape.emits; });
     const bool smooth = std::any_of(
         scene.triangles.begin(), scene.triangles.end(),
@@ -82,9 +74,9 @@ void print_needs(const Scene& scene) {
             const glm::vec3 normal = triangle.corners[0] < scene.normals.size() ? scene.normals[triangle.corners[0]] : glm::vec3(0.0F);
             return normal != glm::vec3(0.0F);
         });
-    const bool reflects =
-        std::any_of(scene.materials.begin(), scene.materials.end(), [](const SceneMaterial& m) { return m.albedo != glm::vec3(0.0F); });
-    const bool indirect = reflects && (lights || area) && !scene.triangles.empty() && (scene.max_depth < 0 || scene.max_depth > 2);
+    const bool reflects = std::any_of(scene.materials.begin(), scene.materials.end(),
+                                      [](const SceneMaterial& m) { return m.model != MATERIAL_DIFFUSE || m.albedo != glm::vec3(0.0F); });
+    const bool indirect = reflects && (lights || area || far) && !scene.triangles.empty() && (scene.max_depth < 0 || scene.max_depth > 2);
     std::cout << "features\n";
     line(area, "area emitters", "no emitted radiance in maps or film");
     line(lights, "point lights", "no light samples of points");
@@ -95,12 +87,13 @@ void print_needs(const Scene& scene) {
 }  // namespace
 
 ExitCode run_info(const InfoCommand& command) {
-    const Scene scene = load_scene(command.scene, {command.defines});
+    const Scene scene = load_scene(command.scene, command.load);
     for (const std::string& warning : scene.warnings) print_warning(warning);
     std::cout << "scene      " << printable(command.scene.string()) << "\n";
     print_shapes(scene);
-    print_lights(scene);
-    print_materials(scene);
+    list_lights(scene);
+    list_materials(scene);
+    list_textures(scene);
     print_film(scene);
     print_bounds(scene);
     print_needs(scene);

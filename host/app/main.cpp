@@ -27,6 +27,9 @@ ExitCode guarded(int argc, char** argv) {
         const bool interrupted = interrupted_by() != 0;
         print_error(interrupted ? "interrupted before there was an image; nothing is written" : error.what(), LineBreaks::keep);
         return interrupted ? ExitCode::interrupted : error.code();
+    } catch (const SceneErrors& errors) {
+        for (const std::string& text : errors.each) print_error(text);
+        return errors.code();
     } catch (const Error& error) {
         print_error(error.what(), error.code() == ExitCode::memory ? LineBreaks::keep : LineBreaks::escape);
         if (error.code() == ExitCode::usage) std::cerr << "Run with --help for the options.\n";

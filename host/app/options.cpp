@@ -33,7 +33,7 @@ Option switch_row(const std::string& flag, bool& value, const std::string& help)
     return {flag, "", "", "", help, "", [&value](const std::string&) { value = true; }, {}};
 }
 
-Option define_row(SceneDefines& defines) {
+Option define_row(std::map<std::string, std::string>& defines) {
     Option row{"-D,--define",
                "NAME=VALUE",
                "",
@@ -49,8 +49,23 @@ Option define_row(SceneDefines& defines) {
     return row;
 }
 
-Rows scene_rows(std::filesystem::path& scene, SceneDefines& defines) {
-    return {required(path_row("SCENE", "", scene, "Scene file, Mitsuba XML")), define_row(defines)};
+Option allow_row(std::vector<std::filesystem::path>& allowed) {
+    Option row{"--allow",
+               "DIR",
+               "",
+               "",
+               "The scene may name files in this folder, too, not only in its own; may be repeated",
+               "",
+               [&allowed](const std::string& text) { allowed.emplace_back(text); },
+               {}};
+    row.repeated = true;
+    return row;
+}
+
+Rows scene_rows(std::filesystem::path& scene, LoadOptions& load) {
+    return {required(path_row("SCENE", "", scene, "Scene file: Mitsuba XML, glTF (.gltf, .glb), OBJ or PLY")), define_row(load.defines),
+            allow_row(load.allowed),
+            switch_row("--strict", load.strict, "What the scene holds and pencil could only approximate is an error, not a warning")};
 }
 
 Option output_row(std::vector<std::filesystem::path>& outputs) {
@@ -101,7 +116,7 @@ std::vector<std::string> reference_layers() {
 }  // namespace
 
 std::vector<Option> option_table(RenderCommand& command) {
-    Rows rows = scene_rows(command.scene, command.defines);
+    Rows rows = scene_rows(command.scene, command.load);
     rows.push_back(output_row(command.outputs));
     append(rows, render_option_table(command.options));
     append(rows,
@@ -112,7 +127,7 @@ std::vector<Option> option_table(RenderCommand& command) {
 
 std::vector<Option> option_table(ReferenceCommand& command) {
     ReferenceOptions& o = command.options;
-    Rows rows = scene_rows(command.scene, command.defines);
+    Rows rows = scene_rows(command.scene, command.load);
     rows.push_back(output_row(command.outputs));
     append(rows, budget_rows(o));
     append(
@@ -124,7 +139,7 @@ std::vector<Option> option_table(ReferenceCommand& command) {
     return rows;
 }
 
-std::vector<Option> option_table(InfoCommand& command) { return scene_rows(command.scene, command.defines); }
+std::vector<Option> option_table(InfoCommand& command) { return scene_rows(command.scene, command.load); }
 
 std::vector<Option> option_table(CompareCommand& command) {
     return {required(path_row("IMAGE", "", command.image, "Image to judge: OpenEXR, PNG or Radiance HDR")),
@@ -134,7 +149,7 @@ std::vector<Option> option_table(CompareCommand& command) {
 }
 
 std::vector<Option> option_table(ConvergeCommand& command) {
-    Rows rows = scene_rows(command.scene, command.defines);
+    Rows rows = scene_rows(command.scene, command.load);
     rows.push_back(required(path_row("-o,--output", "DIR", command.folder, "Folder for the results, made if absent")));
     Option reference =
         path_row("--reference", "FILE", command.reference, "Image taken as the truth, for example a long run of pencil reference");

@@ -28,8 +28,9 @@ ReferenceOptions options_for(const ReferenceCommand& command, const Scene& scene
     ReferenceOptions options = command.options;
     if (options.max_depth == depth_of_scene) options.max_depth = scene.max_depth;
     if (options.width <= 0) {
-        options.width = scene.sensor.width;
-        options.height = scene.sensor.height;
+        const PerspectiveSensor& sensor = scene.sensor;
+        options.width = sensor.crop_width > 0 ? sensor.crop_width : sensor.width;
+        options.height = sensor.crop_width > 0 ? sensor.crop_height : sensor.height;
     }
     const auto wants_any = [&](const std::vector<std::string>& names) {
         return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return has_group(command.aovs, name); });
@@ -72,7 +73,7 @@ ExitCode run_reference(const ReferenceCommand& command) {
     ReferenceReport report;
     set_quiet(command.quiet);
     check_outputs(command.outputs, command.stats, command.scene);
-    const Scene scene = load_scene(command.scene, {command.defines});
+    const Scene scene = load_scene(command.scene, command.load);
     report.load_seconds = total.seconds();
     add_warnings(report, scene.warnings);
     report.scene_fingerprint = scene_fingerprint(scene);

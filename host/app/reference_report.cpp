@@ -28,7 +28,7 @@ Json all_options_json(const ReferenceReport& report, const ReferenceCommand& com
     used.options = report.options;
     Json json = options_json(option_table(used));
     json["resolution"] = {report.options.width, report.options.height};
-    json["defines"] = command.defines;
+    json["defines"] = command.load.defines;
     for (const std::filesystem::path& output : command.outputs) json["output"].push_back(output.string());
     return json;
 }
@@ -69,7 +69,7 @@ Metadata image_metadata(const ReferenceReport& report, const ReferenceCommand& c
     used.options = report.options;
     add_options(metadata, option_table(used));
     metadata["pencil:spp"] = report.result.spp;  // as traced, whatever was asked for
-    for (const auto& [name, value] : command.defines) metadata["pencil:define:" + name] = value;
+    for (const auto& [name, value] : command.load.defines) metadata["pencil:define:" + name] = value;
     if (report.result.interrupted) metadata["pencil:interrupted"] = 1;
     if (times) {
         metadata["pencil:wallSeconds"] = report.total_seconds;

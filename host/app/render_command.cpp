@@ -75,7 +75,7 @@ ExitCode run_render(const RenderCommand& command) {
     RunReport report;
     set_quiet(command.quiet);
     check_outputs(command.outputs, command.stats, command.scene);
-    const Scene scene = timed(report, "load scene", [&] { return load_scene(command.scene, {command.defines}); });
+    const Scene scene = timed(report, "load scene", [&] { return load_scene(command.scene, command.load); });
     add_warnings(report, scene.warnings);
     report.scene_fingerprint = scene_fingerprint(scene);
 

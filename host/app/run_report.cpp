@@ -95,7 +95,7 @@ Metadata image_metadata(const RunReport& report, const RenderCommand& command, b
     };
     RenderOptions options = report.options;
     add_options(metadata, render_option_table(options));
-    for (const auto& [name, value] : command.defines) metadata["pencil:define:" + name] = value;
+    for (const auto& [name, value] : command.load.defines) metadata["pencil:define:" + name] = value;
     if (report.interrupted) metadata["pencil:interrupted"] = 1;
     if (times) {
         metadata["pencil:wallSeconds"] = report.total_wall_seconds;

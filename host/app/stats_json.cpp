@@ -19,7 +19,7 @@ Json all_options_json(const RunReport& report, const RenderCommand& command) {
     RenderOptions options = report.options;
     Json json = options_json(render_option_table(options));
     json["resolution"] = {report.width, report.height};
-    json["defines"] = command.defines;
+    json["defines"] = command.load.defines;
     for (const std::filesystem::path& output : command.outputs) json["output"].push_back(output.string());
     return json;
 }

@@ -1,4 +1,4 @@
-// A scene may come from anywhere, so it must not make the program read files elsewhere, or devices that never end.
+// A scene may come from anywhere, so it must not make the program read devices that never end.
 #include "scene/scene_file.h"
 
 #include <algorithm>
@@ -49,27 +49,6 @@ std::string read_regular_file(const fs::path& file, std::uintmax_t max_bytes, co
 
 std::string read_head(const fs::path& file, std::size_t bytes, const std::string& where) {
     return read_bytes(file, std::min<std::uintmax_t>(regular_size(file, where), bytes), where);
-}
-
-fs::path path_inside(const fs::path& folder, const std::string& name, const std::string& where) {
-    const fs::path path(name);
-    if (name.empty()) throw SceneError(where, "the file name is empty");
-    if (name.find('\0') != std::string::npos || name.find(':') != std::string::npos || name.find('\\') != std::string::npos)
-        throw SceneError(where, "file name " + in_quotes(name) + " is refused: give a relative path with forward slashes");
-    if (path.is_absolute()) {
-        throw SceneError(where,
-                         "file name " + in_quotes(name) + " is absolute: files must lie in the scene's folder, named relative to it");
-    }
-    if (std::find(path.begin(), path.end(), fs::path("..")) != path.end())
-        throw SceneError(where, "file name " + in_quotes(name) + " is refused: \"..\" may leave the scene's folder");
-    std::error_code error;
-    // From the canonical folder on, so that a file that does not exist is still an absolute path.
-    const fs::path root = fs::canonical(folder.empty() ? fs::path(".") : folder, error);
-    const fs::path target = error ? fs::path() : fs::weakly_canonical(root / path, error);
-    if (error) throw SceneError(where, "cannot follow " + in_quotes(name) + ": " + error.message());
-    if (std::mismatch(root.begin(), root.end(), target.begin(), target.end()).first != root.end())
-        throw SceneError(where, "file name " + in_quotes(name) + " is refused: it is a link that leaves the scene's folder");
-    return folder / path;
 }
 
 }  // namespace pencil

@@ -1,4 +1,4 @@
-// Opening the files that a scene names: only regular files, only inside the scene's folder, only up to a size.
+// Opening the files that a scene names: only regular files, only up to a size. Where they may lie: file_search.h.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +18,5 @@ std::string read_regular_file(const std::filesystem::path& file, std::uintmax_t 
 
 /// The first `bytes` of a regular file of any size, or all of it if it is shorter.
 std::string read_head(const std::filesystem::path& file, std::size_t bytes, const std::string& where);
-
-/// `name`, relative to `folder` and inside it after symbolic links have been followed.
-std::filesystem::path path_inside(const std::filesystem::path& folder, const std::string& name, const std::string& where);
 
 }  // namespace pencil

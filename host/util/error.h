@@ -3,6 +3,8 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace pencil {
 
@@ -23,6 +25,21 @@ struct UsageError : Error {
 /// `where` is "file:line" or a file name.
 struct SceneError : Error {
     SceneError(const std::string& where, const std::string& message) : Error(ExitCode::scene, where + ": " + message) {}
+
+protected:
+    explicit SceneError(const std::string& text) : Error(ExitCode::scene, text) {}
+};
+/// All defects of a scene; what() strings them together.
+struct SceneErrors : SceneError {
+    explicit SceneErrors(std::vector<std::string> texts) : SceneError(joined(texts)), each(std::move(texts)) {}
+    std::vector<std::string> each;
+
+private:
+    static std::string joined(const std::vector<std::string>& texts) {
+        std::string result;
+        for (const std::string& text : texts) result += (result.empty() ? "" : "; ") + text;
+        return result;
+    }
 };
 struct DeviceError : Error {
     explicit DeviceError(const std::string& message) : Error(ExitCode::device, message) {}

@@ -61,11 +61,11 @@ TEST_F(Output, RefusedOutputsLeaveOlderResultsAndNoTemporaryFiles) {
 }
 
 TEST_F(Output, DiskThatFillsUpWhileWriting) {
-    const std::vector<std::string> large = render(scene, {"-o", image, "--resolution", "400x300", "--bounces", "2"});
+    const std::vector<std::string> large = render(scene, {"-o", image, "--resolution", "600x400", "--bounces", "2"});
     ASSERT_EQ(run_pencil(large).code, 0);  // builds the kernels: the driver writes larger files while it does
     const std::string before = read_text(image);
     RunOptions full;
-    full.largest_file = 1 << 20;  // [bytes]; the driver's own temporary files are just below
+    full.largest_file = 1 << 21;  // [bytes]; the driver's own temporary files are just below
     ASSERT_GT(before.size(), std::size_t(full.largest_file));
     const RunResult result = run_pencil(large, full);
     EXPECT_EQ(result.code, 6) << result.err;

@@ -59,6 +59,21 @@ protected:
         EXPECT_NE(message.find(part), std::string::npos) << "no \"" << part << "\" in: " << message;
     }
 
+    /// The scene loads with a warning that names the line and the text, and does not load by --strict.
+    void expect_approximation(const std::string& body, int line, const std::string& part) const {
+        const std::string place = "scene.xml:" + std::to_string(line) + ": ";
+        bool found = false;
+        std::string all;
+        for (const std::string& warning : load_body(body).warnings) {
+            found = found || (warning.find(place) != std::string::npos && warning.find(part) != std::string::npos);
+            all += warning + "\n";
+        }
+        EXPECT_TRUE(found) << "no \"" << part << "\" at line " << line << " in: " << all;
+        LoadOptions strict;
+        strict.strict = true;
+        EXPECT_NE(error_of(in_scene(body), strict).find(part), std::string::npos) << part;
+    }
+
     static bool has_warning(const Scene& scene, const std::string& part) {
         for (const std::string& warning : scene.warnings)
             if (warning.find(part) != std::string::npos) return true;

@@ -22,8 +22,9 @@ const Shape& shape_of(const Scene& scene, const std::string& id) {
 
 TEST(ProjectScenes, LoadWithoutWarningsAndHaveTheirTriangles) {
     const std::map<std::string, std::size_t> expected = {
-        {"colonnade", 100365}, {"cornell-box", 38},   {"door-ajar", 15710}, {"furnace", 12},
-        {"lit-wall", 12},      {"thin-walls", 15752}, {"two-rooms", 24},
+        {"colonnade", 100365},   {"cornell-box", 38},     {"door-ajar", 15710},  {"furnace", 12},
+        {"glossy-plates", 5132}, {"lamp-hall", 4062},     {"lit-wall", 12},      {"office", 1128},
+        {"still-life", 14520},   {"textured-room", 1814}, {"thin-walls", 15752}, {"two-rooms", 24},
     };
     std::size_t found = 0;
     for (const auto& entry : std::filesystem::directory_iterator(scenes_folder)) {
@@ -37,6 +38,20 @@ TEST(ProjectScenes, LoadWithoutWarningsAndHaveTheirTriangles) {
         EXPECT_EQ(scene.triangles.size(), expected.at(name));
     }
     EXPECT_EQ(found, expected.size());
+}
+
+TEST(ProjectScenes, InteriorIsTheSameAsTextAndAsBinary) {
+    const Scene text = load_scene(scenes_folder / "interior.gltf"), binary = load_scene(scenes_folder / "interior.glb");
+    EXPECT_TRUE(text.warnings.empty()) << text.warnings[0];
+    EXPECT_EQ(text.triangles.size(), 1864U);
+    EXPECT_EQ(text.positions, binary.positions);
+    EXPECT_EQ(text.normals, binary.normals);
+    EXPECT_EQ(text.uvs, binary.uvs);
+    ASSERT_EQ(text.textures.size(), 2U);
+    EXPECT_EQ(text.textures[1].texels, binary.textures[1].texels);
+    EXPECT_EQ(text.point_lights.size(), 2U);
+    EXPECT_EQ(shape_of(text, "lamp shade").radiance, shape_of(binary, "lamp shade").radiance);
+    EXPECT_EQ(text.sensor.to_world, binary.sensor.to_world);
 }
 
 TEST(ProjectScenes, DoorAjarHasItsLightTurnedAwayFromTheRoom) {

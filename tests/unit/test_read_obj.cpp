@@ -92,13 +92,56 @@ TEST(ReadObj, BadNumbersAndCounts) {
     expect_defect("v 0x10 0 0", "m.obj:1: ", "\"0x10\" is not a number");
     expect_defect("v --3 0 0", "m.obj:1: ", "\"--3\" is not a number");
     expect_defect("v 0 0 0\nvn 0 1", "m.obj:2: ", "vn has 2 numbers");
-    expect_defect("v 0 0 0\nvn 0 1 nan", "m.obj:2: ", "finite");
+    expect_defect("v 0 0 0\nvn 0 1 x", "m.obj:2: ", "\"x\" is not a number");
     expect_defect(square + "f", "m.obj:5: ", "at least 3 corners");
     expect_defect(square + "f 1 2", "m.obj:5: ", "this one has 2");
-    expect_defect(square + "f 1 2 \\\n3", "m.obj:5: ", "continued");
+    expect_defect(square + "f 1 2 \\\n\\\n9 \\", "m.obj:7: ", "names vertex 9");
+    expect_defect(square + "f 1 2 \\", "m.obj:5: ", "is not an index");
     expect_defect("hello world\n", "m.obj: ", "is it an OBJ file?");
     expect_defect(std::string("\x89PNG\r\n\0\0\0\rIHDR", 14), "m.obj:2: ", "binary");
     EXPECT_EQ(defect("v \x1b[31m 0 0").find('\x1b'), std::string::npos);
+}
+
+TEST(ReadObj, LinesGoOnAfterBackslashes) {
+    const Mesh mesh = read_obj(square + "f 1 \\\r\n  2 \\\n3\n# a comment does not \\\nf 1 3 4\n", "m.obj");
+    EXPECT_EQ(mesh.triangles, (std::vector<glm::uvec3>{{0, 1, 2}, {0, 2, 3}}));
+}
+
+TEST(ReadObj, NormalsThatAreNoNumbersAreLeftOut) {
+    const Mesh mesh = read_obj(square + "vn nan nan nan\nvn 0 0 1\nvn -nan(ind) 0 1\nf 1//1 2//2 3//3\n", "m.obj");
+    EXPECT_EQ(mesh.normals, (std::vector<glm::dvec3>{{0, 0, 0}, {0, 0, 1}, {0, 0, 0}}));
+    ASSERT_EQ(mesh.notes.size(), 1U);
+    EXPECT_NE(mesh.notes[0].find("2 normals"), std::string::npos);
+}
+
+/// Twice the area that the triangles cover, those turned over counted as negative.
+double signed_area(const Mesh& mesh) {
+    double sum = 0;
+    for (const glm::uvec3& t : mesh.triangles) {
+        const glm::dvec3 a = mesh.positions[t.y] - mesh.positions[t.x], b = mesh.positions[t.z] - mesh.positions[t.x];
+        const double area = a.x * b.y - a.y * b.x;
+        EXPECT_GE(area, 0);
+        sum += area;
+    }
+    return sum;
+}
+
+TEST(ReadObj, ConcavePolygonsAreCutAsTheyAre) {
+    // An L, a dart, and a comb, each begun at a corner from which a fan would cover the outside.
+    EXPECT_EQ(signed_area(read_obj("v 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\nv 0 0 0\nf 1 2 3 4 5 6\n", "m.obj")), 6);
+    EXPECT_EQ(signed_area(read_obj("v 4 0 0\nv 1 1 0\nv 0 4 0\nv 0 0 0\nf 1 2 3 4\n", "m.obj")), 8);
+    std::string comb, face = "f";
+    for (int i = 0; i < 20; ++i) comb += "v " + std::to_string(20 - i) + (i % 2 == 0 ? " 9 0\n" : " 1 0\n");
+    comb += "v 0 0 0\nv 20 0 0\n";
+    for (int i = 1; i <= 22; ++i) face += " " + std::to_string(i);
+    double outline = 0;
+    const Mesh mesh = read_obj(comb + face + "\n", "m.obj");
+    ASSERT_EQ(mesh.triangles.size(), 20U);
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        const glm::dvec3 a = mesh.positions[i], b = mesh.positions[(i + 1) % mesh.positions.size()];
+        outline += a.x * b.y - a.y * b.x;
+    }
+    EXPECT_NEAR(signed_area(mesh), outline, 1e-9);
 }
 
 TEST(ReadObj, LargePolygonsAndLongLines) {

@@ -73,6 +73,42 @@ TEST(ReadPly, NormalsForeignElementsAndCarriageReturns) {
     EXPECT_EQ(mesh.triangles.at(0), glm::uvec3(2, 1, 0));
 }
 
+TEST(ReadPly, ColoursOfVertices) {
+    const Mesh bytes = read_ply(header("ascii", 0, 0), "m.ply");
+    EXPECT_TRUE(bytes.colours.empty());
+    const auto coloured = [](const std::string& type, const std::string& colour) {
+        const std::string p = "\nproperty " + type + " ";
+        const std::string text = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z" + p +
+                                 "red" + p + "green" + p + "blue\nend_header\n0 0 0 " + colour + "\n";
+        return read_ply(text, "m.ply").colours.at(0);
+    };
+    EXPECT_EQ(coloured("uchar", "255 0 0"), glm::vec3(1, 0, 0));
+    EXPECT_NEAR(coloured("uchar", "128 0 0").x, 0.21586F, 1e-5);  // by the curve of sRGB
+    EXPECT_EQ(coloured("ushort", "0 65535 0"), glm::vec3(0, 1, 0));
+    EXPECT_EQ(coloured("float", "0.5 7 -1"), glm::vec3(0.5F, 1, 0));
+}
+
+TEST(ReadPly, StripsOfTriangles) {
+    const std::string text =
+        "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\nelement tristrips 1\n"
+        "property list int int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n8 0 1 2 3 -1 4 3 2\n";
+    EXPECT_EQ(read_ply(text, "m.ply").triangles, (std::vector<glm::uvec3>{{0, 1, 2}, {2, 1, 3}, {4, 3, 2}}));
+    std::string bad = text;
+    bad.replace(bad.find("-1 4"), 4, "-2 4");
+    expect_defect(bad, "m.ply:15: ", "out of range");
+}
+
+TEST(ReadPly, TextureCoordinatesOfFacesAreLeftOutAloud) {
+    const std::string text =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
+        "property list uchar int vertex_indices\nproperty list uchar float texcoord\nend_header\n0 0 0\n1 0 0\n0 1 0\n"
+        "3 0 1 2 6 0 0 1 0 0 1\n";
+    const Mesh mesh = read_ply(text, "m.ply");
+    EXPECT_EQ(mesh.triangles.size(), 1U);
+    ASSERT_EQ(mesh.notes.size(), 1U);
+    EXPECT_NE(mesh.notes[0].find("texture coordinates of faces"), std::string::npos);
+}
+
 TEST(ReadPly, EmptyMeshes) {
     EXPECT_TRUE(read_ply(header("ascii", 0, 0), "m.ply").triangles.empty());
     EXPECT_TRUE(read_ply(header("binary_big_endian", 0, 0), "m.ply").triangles.empty());

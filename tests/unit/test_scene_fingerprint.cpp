@@ -32,6 +32,17 @@ TEST(SceneFingerprint, ChangesWithThePicture) {
     EXPECT_TRUE(changed([](Scene& s) { s.triangles[0].material = 1; }));
     EXPECT_TRUE(changed([](Scene& s) { s.shapes[0].radiance.x = 1; }));
     EXPECT_TRUE(changed([](Scene& s) { s.point_lights.push_back({{0, 0, 1}, {1, 1, 1}}); }));
+    EXPECT_TRUE(changed([](Scene& s) { s.materials[0].model = MATERIAL_PHONG; }));
+    EXPECT_TRUE(changed([](Scene& s) { s.materials[0].alpha.y = 0.1F; }));
+    EXPECT_TRUE(changed([](Scene& s) { s.materials[0].principled.sheen = 0.1F; }));
+    EXPECT_TRUE(changed([](Scene& s) { s.materials[0].normal_texture = 0; }));
+    EXPECT_TRUE(changed([](Scene& s) { s.textures.resize(1); }));
+    EXPECT_TRUE(changed([](Scene& s) { s.shapes[0].radiance_texture = 0; }));
+    EXPECT_TRUE(changed([](Scene& s) { s.directional_lights.push_back({{0, 0, 1}, {1, 1, 1}}); }));
+    EXPECT_TRUE(changed([](Scene& s) { s.environment.emplace(); }));
+    EXPECT_TRUE(changed([](Scene& s) { s.profiles.resize(1); }));
+    EXPECT_TRUE(changed([](Scene& s) { s.sensor.aperture_radius = 0.1; }));
+    EXPECT_TRUE(changed([](Scene& s) { s.sensor.crop_width = 1; }));
     EXPECT_TRUE(changed([](Scene& s) { s.sensor.to_world[3].x = 1; }));
     EXPECT_TRUE(changed([](Scene& s) { s.sensor.filter.kind = ReconstructionFilter::Kind::box; }));
 }

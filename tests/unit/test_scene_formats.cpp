@@ -42,19 +42,23 @@ std::string binary_stl() {
     return bytes;
 }
 
-TEST_F(SceneFormats, MeshesAreToBeNamedInAScene) {
-    expect_format("ply\nformat ascii 1.0\n", "PLY", "name it in a scene: <shape type=\"ply\">");
-    expect_format("# made by hand\r\n\r\nmtllib a.mtl\r\nv 0 0 0\r\n", "OBJ", "name it in a scene: <shape type=\"obj\">");
-    expect_format("o cube\nv 0 0 0\n", "OBJ", "a mesh alone has no camera and no light");
+/// Recognised whatever the file's name says: its reader answers.
+TEST_F(SceneFormats, OtherFormatsThatAreRead) {
+    for (const char* name : {"a", "a.xml", "a.obj", "a.bin"}) {
+        EXPECT_EQ(message_of(name, "ply\nformat ascii 1.0\n").find("the format is"), std::string::npos);
+        EXPECT_NE(message_of(name, "ply\nformat ascii 1.0\n").find("the header has no line"), std::string::npos);
+        EXPECT_NE(message_of(name, "# made by hand\r\n\r\nmtllib a.mtl\r\nv 0 0 0\r\n").find("no faces"), std::string::npos);
+        EXPECT_NE(message_of(name, "o cube\nv 0 0 0\n").find("no faces"), std::string::npos);
+        EXPECT_NE(message_of(name, "{\n  \"asset\" : { \"version\" : \"2.0\" } }").find("no triangles"), std::string::npos);
+        EXPECT_NE(message_of(name, "{\"accessors\":[{\"bufferView\":0}]}").find("not well-formed glTF"), std::string::npos);
+        EXPECT_NE(message_of(name, "glTF\x02\0\0\0"s).find("ends within its header"), std::string::npos);
+    }
     expect_format("solid cube\n facet normal 0 0 1\n", "STL", "convert it to PLY");
     expect_format(binary_stl(), "STL", "convert it to PLY");
 }
 
 TEST_F(SceneFormats, ScenesOfOtherProgramsAreNamed) {
     const std::string by_blender = "open it in Blender";
-    expect_format("{\n  \"asset\" : { \"version\" : \"2.0\" } }", "glTF", by_blender);
-    expect_format("{\"accessors\":[{\"bufferView\":0}]}", "glTF", by_blender);
-    expect_format("glTF\x02\0\0\0"s, "glTF", by_blender);
     expect_format("#usda 1.0\n(\n)\n", "USD", by_blender);
     expect_format("PXR-USDC\0\x08\0\0"s, "USD", by_blender);
     expect_format("PK\x03\x04\x0a\0\0\0\0\0scene.usdc"s, "USD", by_blender);
@@ -78,7 +82,8 @@ TEST_F(SceneFormats, ImagesAreNamed) {
 TEST_F(SceneFormats, AnythingElseIsNotAScene) {
     for (const std::string& content : {"hello world\n"s, "\0\0\0\0"s, "{\"a\": 1}"s, "Shape of things\n"s, "v"s, "plyers\n"s,
                                        "PK\x03\x04 a.txt"s, std::string(300, '\0'), std::string(5000, ' ')}) {
-        EXPECT_NE(message_of("a.txt", content).find("a.txt: this is not a scene in a known format; known: Mitsuba XML"), std::string::npos)
+        EXPECT_NE(message_of("a.txt", content).find("a.txt: this is not a scene in a known format; known: PLY, OBJ, glTF, Mitsuba XML"),
+                  std::string::npos)
             << message_of("a.txt", content);
     }
     EXPECT_NE(message_of("a.txt", "").find("the file is empty"), std::string::npos);

@@ -64,22 +64,7 @@ bool is_binary_stl(std::string_view head) {
 
 }  // namespace
 
-bool is_ply(std::string_view head) { return begins_with(head, "ply") && (head.size() == 3 || trimmed(head.substr(3, 1)).empty()); }
-
-bool is_obj(std::string_view head) {
-    const std::string_view line = first_statement(head), word = line.substr(0, line.find_first_of(" \t"));
-    return line.size() > word.size() && is_one_of(word, "v vt vn vp f o g s mtllib usemtl");
-}
-
 bool is_stl(std::string_view head) { return (begins_with(head, "solid") && contains(head, "facet")) || is_binary_stl(head); }
-
-bool is_gltf(std::string_view head) {
-    if (begins_with(head, "glTF")) return true;
-    const std::string_view text = trimmed(head);
-    constexpr std::string_view keys[] = {"\"asset\"", "\"accessors\"", "\"bufferViews\"", "\"meshes\""};
-    return begins_with(text, "{") &&
-           std::any_of(std::begin(keys), std::end(keys), [&](std::string_view key) { return contains(text, key); });
-}
 
 bool is_usd(std::string_view head) {
     return begins_with(head, "#usda") || begins_with(head, "PXR-USDC") || (begins_with(head, "PK\x03\x04") && contains(head, ".usd"));

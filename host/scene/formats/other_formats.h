@@ -5,12 +5,8 @@
 
 namespace pencil {
 
-bool is_ply(std::string_view head);
-bool is_obj(std::string_view head);
 /// As text or in binary; the latter by the lengths of its normals, since it has no signature.
 bool is_stl(std::string_view head);
-/// As JSON (.gltf) or in binary (.glb).
-bool is_gltf(std::string_view head);
 /// As text (.usda), as a "crate" (.usdc) or zipped (.usdz).
 bool is_usd(std::string_view head);
 /// In binary or as text.

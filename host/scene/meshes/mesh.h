@@ -17,8 +17,10 @@ struct Mesh {
     std::vector<glm::dvec3> positions;
     std::vector<glm::dvec3> normals;  // as many as positions, or none; a zero vector means none for that vertex
     std::vector<glm::vec2> uvs;       // texture coordinates, as many as positions, or none
+    std::vector<glm::vec3> colours;   // linear, as many as positions, or none
     std::vector<glm::uvec3> triangles;
-    bool smooth = false;  // placing the mesh computes its vertex normals if it has none
+    bool smooth = false;             // placing the mesh computes its vertex normals if it has none
+    std::vector<std::string> notes;  // what the file has and the mesh has not, for warnings
 };
 
 struct Placement {
@@ -54,5 +56,9 @@ Mesh make_cube();
 /// 0.5 % less area than the sphere and lie up to 0.5 % of the radius inside it. uv: longitude / (2 pi) from +x over +y, colatitude from +z
 /// / pi; triangles across the seam have u beyond 1, and a corner on a pole has the mean u of the other two.
 Mesh make_sphere();
+/// Unit disk at z = 0 of 128 triangles, front towards +z, 0.04 % less in area than the round one. uv: distance from the centre, angle / (2 pi).
+Mesh make_disk();
+/// Unit radius around the z axis from z = 0 to 1, open, of 256 triangles with the normals of the round one, fronts outward. uv: angle / (2 pi), z.
+Mesh make_cylinder();
 
 }  // namespace pencil

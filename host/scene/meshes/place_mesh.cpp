@@ -98,16 +98,18 @@ private:
             placed_[i] = static_cast<std::uint32_t>(scene_.positions.size());
             scene_.positions.push_back(world_[i]);
             scene_.normals.push_back(normals_.empty() ? glm::vec3(0.0F) : glm::vec3(normals_[i]));
-            add_uv(i);
+            add_attribute(mesh_.uvs, i, glm::vec2(0.0F), scene_.uvs);
+            add_attribute(mesh_.colours, i, glm::vec3(1.0F), scene_.colours);
         }
         return placed_[i];
     }
 
-    /// The first shape with texture coordinates fills up those of the vertices before.
-    void add_uv(std::uint32_t i) {
-        if (mesh_.uvs.empty() && scene_.uvs.empty()) return;
-        scene_.uvs.resize(scene_.positions.size(), glm::vec2(0.0F));
-        if (!mesh_.uvs.empty()) scene_.uvs.back() = mesh_.uvs[i];
+    /// The first shape with such values fills up those of the vertices before with `none`.
+    template <class T>
+    void add_attribute(const std::vector<T>& of_mesh, std::uint32_t i, const T& none, std::vector<T>& of_scene) const {
+        if (of_mesh.empty() && of_scene.empty()) return;
+        of_scene.resize(scene_.positions.size(), none);
+        if (!of_mesh.empty()) of_scene.back() = of_mesh[i];
     }
 
     const Mesh& mesh_;

@@ -1,11 +1,17 @@
 // One pass over the lines. An index may only name what stands above it. Corners with the same position, texture coordinate and normal
-// become one vertex, so that where no normal is given seams of the texture stay edges (Mitsuba's rule).
+// become one vertex, so that where no normal is given seams of the texture stay edges (Mitsuba's rule). As a scene of its own the file is read
+// by its smoothing groups instead, across such seams.
 #include "scene/meshes/read_obj.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <unordered_map>
 
+#include "scene/meshes/linear_of_srgb.h"
+#include "scene/meshes/smoothing_groups.h"
+#include "scene/meshes/triangulate.h"
 #include "scene/text.h"
 #include "util/error.h"
 
@@ -14,33 +20,37 @@ namespace {
 
 constexpr std::size_t max_line_bytes = std::size_t{64} << 20;  // a polygon of some million corners
 
-/// Index of a position from 0, of texture coordinates and a normal from 1, 0 for none.
+/// Index of a position from 0, of texture coordinates and a normal from 1, 0 for none; the smoothing group where there is no normal.
 struct Corner {
-    std::size_t position, uv, normal;
-    bool operator==(const Corner& other) const { return position == other.position && uv == other.uv && normal == other.normal; }
+    std::size_t position, uv, normal, group;
+    bool operator==(const Corner& other) const {
+        return position == other.position && uv == other.uv && normal == other.normal && group == other.group;
+    }
 };
 
 struct CornerHash {
-    std::size_t operator()(const Corner& c) const { return (c.position * 0x9e3779b97f4a7c15 ^ c.uv) * 0x9e3779b97f4a7c15 ^ c.normal; }
+    std::size_t operator()(const Corner& c) const {
+        constexpr std::size_t spread = 0x9e3779b97f4a7c15;
+        return ((c.position * spread ^ c.uv) * spread ^ c.normal) * spread ^ c.group;
+    }
 };
 
 class ObjReader {
 public:
-    ObjReader(std::string_view text, const std::string& name) : text_(text), name_(name) {}
+    ObjReader(std::string_view text, const std::string& name, bool as_scene) : text_(text), name_(name), as_scene_(as_scene) {}
 
-    Mesh read() {
-        for (std::size_t start = 0; start < text_.size(); ++line_) {
-            const std::size_t end = std::min(text_.find('\n', start), text_.size());
-            if (end - start > max_line_bytes) fail("the line is longer than " + std::to_string(max_line_bytes) + " bytes");
-            statement(text_.substr(start, end - start));
-            start = end + 1;
-        }
+    ObjFile read() {
+        std::string joined;
+        while (at_ < text_.size()) statement(next_line(joined));
         if (positions_.empty() && !text_.empty() && !trimmed(text_).empty())
             throw SceneError(name_, "no vertex in the whole file: is it an OBJ file?");
-        if (!any_normal_) mesh_.normals.clear();
-        if (!any_uv_) mesh_.uvs.clear();
-        mesh_.smooth = true;
-        return std::move(mesh_);
+        if (as_scene_ && groups_.assign(file_.mesh.triangles, file_.mesh.normals)) any_normal_ = true;
+        if (!any_normal_) file_.mesh.normals.clear();
+        if (!any_uv_) file_.mesh.uvs.clear();
+        if (!any_colour_) file_.mesh.colours.clear();
+        file_.mesh.smooth = !as_scene_;
+        if (bad_normals_ > 0) file_.mesh.notes.push_back(std::to_string(bad_normals_) + " normals that are no numbers are left out");
+        return std::move(file_);
     }
 
 private:
@@ -56,21 +66,77 @@ private:
         return word;
     }
 
+    /// With those that continue it: a backslash at the end of any but a comment. `joined` holds such a line.
+    std::string_view next_line(std::string& joined) {
+        joined.clear();
+        while (true) {
+            ++line_;
+            const std::size_t end = std::min(text_.find('\n', at_), text_.size());
+            const std::string_view line = text_.substr(at_, end - at_);
+            at_ = end + 1;
+            if (line.size() + joined.size() > max_line_bytes) fail("the line is longer than " + std::to_string(max_line_bytes) + " bytes");
+            const std::string_view content = trimmed(line);
+            const bool goes_on = !content.empty() && content.back() == '\\' && content[0] != '#' && at_ < text_.size();
+            if (joined.empty() && !goes_on) return line;
+            joined += goes_on ? content.substr(0, content.size() - 1) : content;
+            joined += ' ';
+            if (!goes_on) return joined;
+        }
+    }
+
     void statement(std::string_view line) {
         const std::string_view keyword = next_word(line);
         if (keyword.empty() || keyword[0] == '#') return;
-        if (const std::string_view rest = trimmed(line); !rest.empty() && rest.back() == '\\')
-            fail("lines continued with \\ are not supported");
         if (keyword == "v")
-            positions_.push_back(numbers("v", line, 3, 7));  // x y z, then perhaps w or a colour
+            position(line);
         else if (keyword == "vn")
-            normals_.push_back(numbers("vn", line, 3, 3));
+            normals_.push_back(normal(line));
         else if (keyword == "vt")
             uvs_.push_back(texture_coordinate(line));
         else if (keyword == "f")
             face(line);
         else if (keyword.find('\0') != std::string_view::npos)
             fail("binary data: this is not an OBJ file");
+        else if (as_scene_)
+            scene_statement(keyword, trimmed(line));
+    }
+
+    void scene_statement(std::string_view keyword, std::string_view operand) {
+        if (keyword == "mtllib") {
+            file_.libraries.emplace_back(operand);
+        } else if (keyword == "usemtl") {
+            const auto [place, is_new] = materials_.emplace(operand, static_cast<std::uint32_t>(file_.materials.size()));
+            if (is_new) file_.materials.emplace_back(operand);
+            material_ = place->second;
+        } else if (keyword == "s") {
+            const std::optional<long long> group = parse_integer(operand);  // or "off"
+            group_ = group && *group > 0 ? static_cast<std::size_t>(*group) : 0;
+        }
+    }
+
+    /// x y z, then perhaps w, or a colour, or both.
+    void position(std::string_view line) {
+        double values[7] = {};
+        const int count = numbers("v", line, 3, 7, values);
+        positions_.emplace_back(values[0], values[1], values[2]);
+        if (!as_scene_ || count < 6) return;
+        colours_.resize(positions_.size(), glm::vec3(1.0F));
+        for (int k = 0; k < 3; ++k) colours_.back()[k] = linear_of_srgb(values[count - 3 + k]);
+    }
+
+    /// What is no number is no normal: zero.
+    glm::dvec3 normal(std::string_view line) {
+        const std::vector<std::string_view> words = tokens(line);
+        const auto is_no_number = [](std::string_view word) {
+            return word.find_first_of("nN") != std::string_view::npos && !parse_number(word);  // nan, inf, -nan(ind), 1.#INF
+        };
+        if (words.size() >= 3 && std::any_of(words.begin(), words.begin() + 3, is_no_number)) {
+            ++bad_normals_;
+            return glm::dvec3(0.0);
+        }
+        double values[3] = {};
+        numbers("vn", line, 3, 3, values);
+        return {values[0], values[1], values[2]};
     }
 
     /// u, then perhaps v and w. Exporters write what is no number, too, and nothing that is rendered today depends on it: that is 0.
@@ -80,31 +146,29 @@ private:
         return uv;
     }
 
-    /// The first three of them; zero where there are fewer.
-    glm::dvec3 numbers(const char* keyword, std::string_view line, int at_least, int at_most) const {
-        glm::dvec3 result(0.0);
+    /// Their count; so many are in `values`.
+    int numbers(const char* keyword, std::string_view line, int at_least, int at_most, double* values) const {
         int count = 0;
         for (std::string_view word = next_word(line); !word.empty() && word[0] != '#'; word = next_word(line), ++count) {
             const std::optional<double> value = parse_number(word);
             if (!value) fail(std::string(keyword) + ": " + number_defect(word));
             if (count >= at_most) fail(std::string(keyword) + " has more than " + std::to_string(at_most) + " numbers");
-            if (count < 3) result[count] = *value;
+            values[count] = *value;
         }
         if (count < at_least) fail(std::string(keyword) + " has " + std::to_string(count) + " numbers, not " + std::to_string(at_least));
-        return result;
+        return count;
     }
 
     void face(std::string_view line) {
-        std::uint32_t first = 0, previous = 0;
-        std::size_t count = 0;
-        for (std::string_view word = next_word(line); !word.empty() && word[0] != '#'; word = next_word(line), ++count) {
-            const std::uint32_t corner = vertex(word);
-            if (count == 0) first = corner;
-            if (count >= 2) mesh_.triangles.emplace_back(first, previous, corner);
-            previous = corner;
-        }
-        if (count < 3) fail("a face needs at least 3 corners, this one has " + std::to_string(count));
-        if (mesh_.triangles.size() > max_triangles) fail("more than " + std::to_string(max_triangles) + " triangles");
+        polygon_.clear();
+        for (std::string_view word = next_word(line); !word.empty() && word[0] != '#'; word = next_word(line))
+            polygon_.push_back(vertex(word));
+        if (polygon_.size() < 3) fail("a face needs at least 3 corners, this one has " + std::to_string(polygon_.size()));
+        triangulate(polygon_, file_.mesh.positions, file_.mesh.triangles);
+        if (file_.mesh.triangles.size() > max_triangles) fail("more than " + std::to_string(max_triangles) + " triangles");
+        if (!as_scene_) return;
+        if (file_.materials.empty()) file_.materials.emplace_back();  // faces before the first usemtl
+        file_.material.resize(file_.mesh.triangles.size(), material_);
     }
 
     /// "p", "p/t", "p//n" or "p/t/n".
@@ -121,13 +185,21 @@ private:
         const std::size_t position = index(part[0], positions_.size(), "vertex", word);
         const std::size_t uv = part[1].empty() ? 0 : index(part[1], uvs_.size(), "texture coordinate", word) + 1;
         const std::size_t normal = part[2].empty() ? 0 : index(part[2], normals_.size(), "normal", word) + 1;
-        const auto [place, is_new] = vertices_.emplace(Corner{position, uv, normal}, static_cast<std::uint32_t>(mesh_.positions.size()));
+        const std::size_t group = normal > 0 ? 0 : group_;
+        Mesh& mesh = file_.mesh;
+        const auto [place, is_new] =
+            vertices_.emplace(Corner{position, uv, normal, group}, static_cast<std::uint32_t>(mesh.positions.size()));
         if (is_new) {
-            mesh_.positions.push_back(positions_[position]);
-            mesh_.normals.push_back(normal > 0 ? normals_[normal - 1] : glm::dvec3(0.0));
-            mesh_.uvs.push_back(uv > 0 ? uvs_[uv - 1] : glm::vec2(0.0F));
+            mesh.positions.push_back(positions_[position]);
+            mesh.normals.push_back(normal > 0 ? normals_[normal - 1] : glm::dvec3(0.0));
+            mesh.uvs.push_back(uv > 0 ? uvs_[uv - 1] : glm::vec2(0.0F));
+            if (as_scene_) {
+                mesh.colours.push_back(position < colours_.size() ? colours_[position] : glm::vec3(1.0F));
+                groups_.add_vertex(positions_[position], position, group);
+            }
             any_normal_ = any_normal_ || normal > 0;
             any_uv_ = any_uv_ || uv > 0;
+            any_colour_ = any_colour_ || position < colours_.size();
         }
         return place->second;
     }
@@ -147,16 +219,25 @@ private:
 
     std::string_view text_;
     const std::string& name_;
-    std::size_t line_ = 1;
+    const bool as_scene_;
+    std::size_t at_ = 0, line_ = 0;
     std::vector<glm::dvec3> positions_, normals_;
     std::vector<glm::vec2> uvs_;
+    std::vector<glm::vec3> colours_;  // of positions; may be fewer
     std::unordered_map<Corner, std::uint32_t, CornerHash> vertices_;
-    bool any_normal_ = false, any_uv_ = false;
-    Mesh mesh_;
+    std::vector<std::uint32_t> polygon_;
+    SmoothingGroups groups_;
+    std::size_t group_ = 0, bad_normals_ = 0;
+    std::map<std::string, std::uint32_t, std::less<>> materials_;
+    std::uint32_t material_ = 0;
+    bool any_normal_ = false, any_uv_ = false, any_colour_ = false;
+    ObjFile file_;
 };
 
 }  // namespace
 
-Mesh read_obj(std::string_view text, const std::string& name) { return ObjReader(text, name).read(); }
+Mesh read_obj(std::string_view text, const std::string& name) { return ObjReader(text, name, false).read().mesh; }
+
+ObjFile read_obj_file(std::string_view text, const std::string& name) { return ObjReader(text, name, true).read(); }
 
 }  // namespace pencil

@@ -7,10 +7,16 @@
 #include <cmath>
 #include <limits>
 
+#include "scene/meshes/linear_of_srgb.h"
 #include "scene/meshes/ply_source.h"
 
 namespace pencil {
 namespace {
+
+double largest_of(PlyType type) {
+    const bool is_signed = type == PlyType::i8 || type == PlyType::i16 || type == PlyType::i32;
+    return std::pow(2.0, static_cast<double>(8 * size_of(type)) - (is_signed ? 1 : 0)) - 1;
+}
 
 template <class Source>
 class PlyReader {
@@ -25,12 +31,13 @@ public:
             check_count(element);
             if (element.name == "vertex")
                 vertices(element);
-            else if (element.name == "face")
+            else if (element.name == "face" || element.name == "tristrips")
                 faces(element);
             else
                 skip(element);
         }
         check_indices();
+        if (bad_normals_ > 0) mesh_.notes.push_back(std::to_string(bad_normals_) + " normals that are not finite are left out");
         mesh_.smooth = true;
         return std::move(mesh_);
     }
@@ -74,9 +81,14 @@ private:
         return {};
     }
 
+    static std::vector<int> colour_columns(const PlyElement& element) {
+        const std::vector<int> found = columns(element, {"r", "g", "b"});
+        return found.empty() ? columns(element, {"red", "green", "blue"}) : found;
+    }
+
     void vertices(const PlyElement& element) {
         const std::vector<int> position = columns(element, {"x", "y", "z"}), normal = columns(element, {"nx", "ny", "nz"}),
-                               uv = uv_columns(element);
+                               uv = uv_columns(element), colour = colour_columns(element);
         const std::string where = name_ + ":" + std::to_string(element.header_line);
         if (position.empty()) throw SceneError(where, "element \"vertex\" needs the properties x, y and z");
         if (!mesh_.positions.empty()) throw SceneError(where, "element \"vertex\" is given twice");
@@ -87,9 +99,33 @@ private:
             for (std::size_t p = 0; p < row.size(); ++p) row[p] = value(element.properties[p]);
             source_.end_row();
             mesh_.positions.push_back(finite(row, position, "position", i));
-            if (!normal.empty()) mesh_.normals.push_back(finite(row, normal, "normal", i));
+            if (!normal.empty()) mesh_.normals.push_back(normal_of(row, normal));
+            if (!colour.empty()) mesh_.colours.push_back(colour_of(row, colour, element));
             if (!uv.empty()) mesh_.uvs.emplace_back(finite(row, uv, "texture coordinate", i));
         }
+    }
+
+    /// Zero, which is none, instead of what is no direction.
+    glm::dvec3 normal_of(const std::vector<double>& row, const std::vector<int>& from) {
+        glm::dvec3 result(0.0);
+        for (int c = 0; c < 3; ++c) result[c] = row[static_cast<std::size_t>(from[static_cast<std::size_t>(c)])];
+        if (std::isfinite(result.x) && std::isfinite(result.y) && std::isfinite(result.z)) return result;
+        ++bad_normals_;
+        return glm::dvec3(0.0);
+    }
+
+    /// Integers are values of a screen, from 0 to the largest of their type; floating-point ones are linear.
+    static glm::vec3 colour_of(const std::vector<double>& row, const std::vector<int>& from, const PlyElement& element) {
+        glm::vec3 result(0.0F);
+        for (int c = 0; c < 3; ++c) {
+            const auto column = static_cast<std::size_t>(from[static_cast<std::size_t>(c)]);
+            const PlyType type = element.properties[column].type;
+            if (is_integer(type))
+                result[c] = linear_of_srgb(row[column] / largest_of(type));
+            else
+                result[c] = std::isfinite(row[column]) ? static_cast<float>(std::clamp(row[column], 0.0, 1.0)) : 0.0F;
+        }
+        return result;
     }
 
     /// The numbers of these columns, zero where there are fewer than three.
@@ -107,13 +143,18 @@ private:
             return p.is_list && (p.name == "vertex_indices" || p.name == "vertex_index");
         });
         const std::string where = name_ + ":" + std::to_string(element.header_line);
-        if (list == element.properties.end()) throw SceneError(where, "element \"face\" needs a list property vertex_indices");
+        const bool strips = element.name == "tristrips";
+        if (list == element.properties.end())
+            throw SceneError(where, "element " + in_quotes(element.name) + " needs a list property vertex_indices");
         if (!is_integer(list->type)) throw SceneError(where, "vertex indices must be integers");
+        for (const PlyProperty& property : element.properties)
+            if (property.is_list && property.name == "texcoord")
+                note("texture coordinates of faces are left out; those of vertices are read");
         for (std::uint64_t i = 0; i < element.count; ++i) {
             source_.begin_row();
             for (const PlyProperty& property : element.properties)
                 if (&property == &*list)
-                    face(property, i);
+                    strips ? strip(property) : face(property, i);
                 else
                     value(property);
             source_.end_row();
@@ -125,15 +166,43 @@ private:
         if (corners < 3) source_.fail("face " + std::to_string(number) + " has " + std::to_string(corners) + " corners, fewer than 3");
         std::uint32_t first = 0, previous = 0;
         for (std::uint64_t c = 0; c < corners; ++c) {
-            const double index = source_.read(property.type);
-            if (!(index >= 0.0 && index < std::numeric_limits<std::uint32_t>::max()))
-                source_.fail("face " + std::to_string(number) + " has a vertex index out of range");
-            const auto corner = static_cast<std::uint32_t>(index);
+            const std::uint32_t corner = index(source_.read(property.type), "face " + std::to_string(number));
             if (c == 0) first = corner;
-            if (c >= 2) mesh_.triangles.emplace_back(first, previous, corner);
+            if (c >= 2) add_triangle(first, previous, corner);
             previous = corner;
         }
+    }
+
+    /// Strips end at -1; every other triangle of one is wound the other way round.
+    void strip(const PlyProperty& property) {
+        std::uint32_t last[2] = {0, 0};
+        std::uint64_t corners = 0;  // of this strip, so far
+        for (std::uint64_t left = list_length(property); left > 0; --left) {
+            const double value = source_.read(property.type);
+            if (value == -1) {
+                corners = 0;
+                continue;
+            }
+            const std::uint32_t corner = index(value, "a strip");
+            if (corners >= 2) corners % 2 == 0 ? add_triangle(last[0], last[1], corner) : add_triangle(last[1], last[0], corner);
+            ++corners;
+            last[0] = last[1];
+            last[1] = corner;
+        }
+    }
+
+    std::uint32_t index(double value, const std::string& user) const {
+        if (!(value >= 0.0 && value < std::numeric_limits<std::uint32_t>::max())) source_.fail(user + " has a vertex index out of range");
+        return static_cast<std::uint32_t>(value);
+    }
+
+    void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        mesh_.triangles.emplace_back(a, b, c);
         if (mesh_.triangles.size() > max_triangles) source_.fail("more than " + std::to_string(max_triangles) + " triangles");
+    }
+
+    void note(const std::string& text) {
+        if (std::find(mesh_.notes.begin(), mesh_.notes.end(), text) == mesh_.notes.end()) mesh_.notes.push_back(text);
     }
 
     std::uint64_t list_length(const PlyProperty& property) {
@@ -173,6 +242,7 @@ private:
     const PlyHeader& header_;
     const std::string& name_;
     Mesh mesh_;
+    std::size_t bad_normals_ = 0;
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
-// PLY in its three encodings: the positions, normals, texture coordinates and faces of a mesh; all other elements and properties are
-// skipped.
+// PLY in its three encodings: the positions, normals, texture coordinates and colours of vertices, and faces or strips of triangles; all
+// other elements and properties are skipped.
 #pragma once
 
 #include <string>

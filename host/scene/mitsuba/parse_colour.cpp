@@ -1,22 +1,15 @@
-// Colours: numbers as they are, hexadecimal and sRGB codes decoded, spectra integrated. Reflectances must lie in [0, 1].
+// Colours: numbers as they are, hexadecimal and sRGB codes decoded, spectra integrated. Reflectances are cut to [0, 1].
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <optional>
 
-#include "scene/mitsuba/spectrum.h"
+#include "scene/mitsuba/parse_spectrum.h"
 #include "scene/mitsuba/xml_values.h"
 #include "scene/text.h"
 
 namespace pencil {
 namespace {
-
-double token_number(const XmlSource& source, pugi::xml_node node, std::string_view token) {
-    const std::optional<double> value = parse_number(token);
-    if (!value)
-        source.fail(node, std::string("<") + node.name() + "> " + in_quotes(node.attribute("name").value()) + ": " + number_defect(token));
-    return *value;
-}
 
 /// "#rrggbb": code values over 255. Mitsuba 0.x takes them as linear in <rgb> and as encoded in <srgb>.
 std::optional<glm::dvec3> parse_hex(std::string_view text) {
@@ -32,27 +25,23 @@ std::optional<glm::dvec3> parse_hex(std::string_view text) {
     return colour / 255.0;
 }
 
-void check_samples(const XmlSource& source, pugi::xml_node node, const SampledSpectrum& spectrum, ColourUse use) {
+void check_samples(XmlSource& source, pugi::xml_node node, const SampledSpectrum& spectrum, bool reflects) {
+    bool too_bright = false;
     if (spectrum.values.size() < 2) source.fail(node, "a sampled spectrum needs at least two wavelength:value pairs");
     for (std::size_t i = 0; i < spectrum.values.size(); ++i) {
         if (i > 0 && spectrum.wavelengths[i] <= spectrum.wavelengths[i - 1])
             source.fail(node, "the wavelengths of a spectrum must increase");
         if (spectrum.values[i] < 0.0) source.fail(node, "a spectrum must not be negative");
-        if (use == ColourUse::reflectance && spectrum.values[i] > 1.0) source.fail(node, "a reflectance spectrum must not exceed 1");
+        too_bright = too_bright || (reflects && spectrum.values[i] > 1.0);
     }
+    if (too_bright) source.approximate(node, "a reflectance spectrum must not exceed 1: its colour is cut to 1");
 }
 
 glm::dvec3 parse_sampled(XmlSource& source, pugi::xml_node node, ColourUse use) {
-    SampledSpectrum spectrum;
-    for (const std::string_view token : tokens(node.attribute("value").value())) {
-        const std::size_t colon = token.find(':');
-        if (colon == std::string_view::npos) source.fail(node, "a spectrum mixes wavelength:value pairs with " + in_quotes(token));
-        spectrum.wavelengths.push_back(token_number(source, node, token.substr(0, colon)));
-        spectrum.values.push_back(token_number(source, node, token.substr(colon + 1)));
-    }
-    check_samples(source, node, spectrum, use);
+    const SampledSpectrum spectrum = parse_spectrum(source, node);
     const bool reflects = use == ColourUse::reflectance;
-    const glm::dvec3 colour = reflects ? reflectance_to_rgb(spectrum) : emission_to_rgb(spectrum);
+    check_samples(source, node, spectrum, reflects);
+    const glm::dvec3 colour = use == ColourUse::emission ? emission_to_rgb(spectrum) : reflectance_to_rgb(spectrum);
     const glm::dvec3 inside = glm::clamp(colour, glm::dvec3(0.0), glm::dvec3(reflects ? 1.0 : HUGE_VAL));
     constexpr double noticeable = 1e-3;  // below it the cut is rounding
     if (glm::any(glm::greaterThan(glm::abs(colour - inside), glm::dvec3(noticeable * std::max(1.0, colour.y)))))
@@ -65,10 +54,10 @@ glm::dvec3 uniform_emission() { return emission_to_rgb({{360.0, 830.0}, {1.0, 1.
 
 glm::dvec3 parse_components(XmlSource& source, pugi::xml_node node, ColourUse use) {
     const std::string tag = node.name();
-    if (!node.attribute("value"))
-        source.fail(node, "<" + tag + "> needs a value" + (node.attribute("filename") ? "; spectrum files are not supported" : ""));
+    if (const std::optional<double> grey = parse_grey_spectrum(source, node)) return glm::dvec3(*grey);
+    if (is_sampled(node)) return parse_sampled(source, node, use);
+    if (!node.attribute("value")) source.fail(node, "<" + tag + "> needs a value");
     const std::string text = node.attribute("value").value();
-    if (tag == "spectrum" && text.find(':') != std::string::npos) return parse_sampled(source, node, use);
     const std::vector<std::string_view> parts = tokens(text);
     glm::dvec3 colour(0.0);
     const std::optional<glm::dvec3> hex = parts.size() == 1 && tag != "float" ? parse_hex(parts[0]) : std::nullopt;
@@ -92,19 +81,20 @@ glm::dvec3 parse_components(XmlSource& source, pugi::xml_node node, ColourUse us
 
 glm::vec3 parse_colour(XmlSource& source, pugi::xml_node node, ColourUse use) {
     const std::string tag = node.name();
-    if (tag != "rgb" && tag != "srgb" && tag != "spectrum" && tag != "float" && tag != "integer") {
+    if (tag != "rgb" && tag != "srgb" && tag != "spectrum" && tag != "float" && tag != "integer" && tag != "blackbody") {
         source.fail(node,
                     "<" + tag + "> " + in_quotes(node.attribute("name").value()) + " is not a colour; use <rgb>, <spectrum> or <float>");
     }
-    const glm::vec3 colour(parse_components(source, node, use));
+    glm::vec3 colour(parse_components(source, node, use));
     const std::string name = std::string(node.attribute("name").value());
     for (int i = 0; i < 3; ++i) {
         if (!std::isfinite(colour[i])) source.fail(node, in_quotes(name) + " is outside the range of single precision");
         if (colour[i] < 0.0F) source.fail(node, in_quotes(name) + " must not be negative");
-        if (use == ColourUse::reflectance && colour[i] > 1.0F)
-            source.fail(node, in_quotes(name) + " must lie in [0, 1]: a surface cannot reflect more light than it receives");
     }
-    return colour;
+    if (use != ColourUse::reflectance) return colour;
+    if (colour != glm::min(colour, glm::vec3(1.0F)))
+        source.approximate(node, in_quotes(name) + " must lie in [0, 1], a surface cannot reflect more light than it receives: cut to 1");
+    return glm::min(colour, glm::vec3(1.0F));
 }
 
 }  // namespace pencil

@@ -73,9 +73,12 @@ double cos_degrees(double angle) {
     return turned == 180.0 ? -1.0 : std::cos(glm::radians(turned));
 }
 
-glm::dmat4 rotation(const XmlSource& source, pugi::xml_node node) {
+glm::dmat4 rotation(XmlSource& source, pugi::xml_node node) {
     const glm::dvec3 axis = parse_vector(source, node, 0.0);
-    if (!(glm::length(axis) > 0.0)) source.fail(node, "<rotate> needs an axis that is not zero");
+    if (!(glm::length(axis) > 0.0)) {
+        source.warn(node, "<rotate> has no axis: it turns nothing");
+        return glm::dmat4(1.0);
+    }
     const glm::dvec3 a = glm::normalize(axis);
     const double angle = attribute_number(source, node, "angle");
     const double c = cos_degrees(angle), s = cos_degrees(angle - 90.0);

@@ -1,6 +1,7 @@
 // Sorts an element's children into parameters and objects, and checks each parameter's element against the kind asked for.
 #include "scene/mitsuba/properties.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -11,10 +12,10 @@
 namespace pencil {
 namespace {
 
-const std::set<std::string> object_elements = {"integrator", "sensor",  "bsdf",   "shape", "emitter", "film", "sampler",
-                                               "rfilter",    "texture", "medium", "phase", "volume",  "ref"};
-const std::set<std::string> parameter_elements = {"boolean", "integer",  "float", "string", "point",
-                                                  "vector",  "spectrum", "rgb",   "srgb",   "transform"};
+const std::set<std::string> object_elements = {"integrator", "sensor", "bsdf",  "shape",  "emitter", "film",   "sampler",  "rfilter",
+                                               "texture",    "medium", "phase", "volume", "ref",     "camera", "luminaire"};
+const std::set<std::string> parameter_elements = {"boolean",  "integer", "float", "string",    "point",    "vector",
+                                                  "spectrum", "rgb",     "srgb",  "transform", "blackbody"};
 
 bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
 bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
@@ -40,21 +41,39 @@ std::string snake_case(const std::string& name) {
 }
 
 Properties::Properties(XmlSource& source, pugi::xml_node node) : source_(source), node_(node) {
-    for (const pugi::xml_node child : node.children()) {
+    for (const pugi::xml_node child : source.children(node)) {
         const std::string tag = child.name();
-        if (tag == "default" || tag == "alias") continue;
+        if (tag == "default" || tag == "alias" || tag == "path" || tag == "subsurface") continue;
         if (object_elements.count(tag) != 0) {
             const pugi::xml_node target = tag == "ref" ? source.find(child.attribute("id").value(), child) : child;
-            objects_.push_back({target, child, target.name(), target.attribute("type").value()});
+            objects_.push_back(
+                {target, child, target.name(), target.attribute("type").value(), snake_case(child.attribute("name").value())});
         } else if (parameter_elements.count(tag) != 0) {
-            const std::string name = snake_case(child.attribute("name").value());
-            if (name.empty()) source.fail(child, "<" + tag + "> in " + label() + " needs a name");
-            if (tag != "transform" && child.first_child()) source.fail(child.first_child(), "<" + tag + "> cannot contain elements");
-            if (!parameters_.emplace(name, child).second)
-                source.fail(child, "parameter " + in_quotes(name) + " is given twice in " + label());
+            add_parameter(child);
+        } else if (tag == "animation") {
+            add_first_key(child);
         } else {
             source.fail(child, "<" + tag + "> cannot stand inside " + label());
         }
+    }
+}
+
+void Properties::add_parameter(pugi::xml_node child) {
+    const std::string tag = child.name();
+    const std::string name = snake_case(child.attribute("name").value());
+    if (name.empty()) source_.fail(child, "<" + tag + "> in " + label() + " needs a name");
+    if (source_.is_undefined(child)) return;
+    if (tag != "transform" && !child.attribute("type") && child.first_child())
+        source_.fail(child.first_child(), "<" + tag + "> cannot contain elements");
+    if (!parameters_.emplace(name, child).second) source_.fail(child, "parameter " + in_quotes(name) + " is given twice in " + label());
+}
+
+/// Motion stands still at its first moment.
+void Properties::add_first_key(pugi::xml_node animation) {
+    source_.approximate(animation, label() + ": motion is not supported: the first position is used");
+    for (const pugi::xml_node key : animation.children("transform")) {
+        parameters_.emplace(snake_case(animation.attribute("name").value()), key);
+        return;
     }
 }
 
@@ -65,10 +84,37 @@ void Properties::fail(const std::string& name, const std::string& message) const
     source_.fail(place == parameters_.end() ? node_ : place->second, label() + (name.empty() ? " " : ": ") + message);
 }
 
-void Properties::fail_nested(const NestedObject& object) const {
-    const std::string advice = object.kind == "texture" ? "; give a single colour instead" : "";
-    source_.fail(object.named_at,
-                 escaped(object.kind) + " type " + in_quotes(object.type) + " inside " + label() + " is not supported" + advice);
+void Properties::approximate(const std::string& name, const std::string& message) const {
+    const auto place = parameters_.find(name);
+    source_.approximate(place == parameters_.end() ? node_ : place->second, label() + (name.empty() ? " " : ": ") + message);
+}
+
+bool Properties::has_slot(const std::string& name) const {
+    return has(name) || std::any_of(
+                            objects_.begin(), objects_.end(),
+                            [&](const NestedObject& object) { return object.kind == "texture" && object.name == name; });
+}
+
+std::vector<NestedObject> Properties::take_objects(const std::string& kind) {
+    std::vector<NestedObject> result;
+    for (const NestedObject& object : objects_) {
+        if (object.kind != kind) continue;
+        taken_.insert(object.named_at.hash_value());
+        result.push_back(object);
+    }
+    return result;
+}
+
+std::optional<NestedObject> Properties::take_texture(const std::string& name) {
+    asked_.insert(name);
+    std::optional<NestedObject> result;
+    for (const NestedObject& object : objects_) {
+        if (object.kind != "texture" || object.name != name) continue;
+        if (result || has(name)) source_.fail(object.named_at, "parameter " + in_quotes(name) + " is given twice in " + label());
+        taken_.insert(object.named_at.hash_value());
+        result = object;
+    }
+    return result;
 }
 
 pugi::xml_node Properties::take(const std::string& name) {
@@ -101,18 +147,22 @@ double Properties::number(const std::string& name, double absent) {
 }
 
 long long Properties::integer(const std::string& name, long long absent) {
-    const pugi::xml_node parameter = take(name, "integer");
+    const pugi::xml_node parameter = take(name, "integer float");
     if (!parameter) return absent;
     const std::string text = value(parameter);
-    const std::optional<long long> result = parse_integer(text);
-    if (!result) fail(name, "parameter " + in_quotes(name) + ": " + in_quotes(text) + " is not an integer");
-    return *result;
+    if (const std::optional<long long> result = parse_integer(text)) return *result;
+    constexpr double largest = 1e15;                          // every integer up to there is a double
+    const std::optional<double> number = parse_number(text);  // "5.0", as some exporters write
+    if (!number || std::abs(*number) > largest || *number != std::floor(*number))
+        fail(name, "parameter " + in_quotes(name) + ": " + in_quotes(text) + " is not an integer");
+    return static_cast<long long>(*number);
 }
 
 bool Properties::boolean(const std::string& name, bool absent) {
     const pugi::xml_node parameter = take(name, "boolean");
     if (!parameter) return absent;
-    const std::string text(trimmed(value(parameter)));
+    std::string text(trimmed(value(parameter)));
+    for (char& c : text) c = is_upper(c) ? static_cast<char>(c - 'A' + 'a') : c;
     if (text != "true" && text != "false")
         fail(name, "parameter " + in_quotes(name) + ": " + in_quotes(text) + " is neither true nor false");
     return text == "true";
@@ -142,6 +192,17 @@ glm::dmat4 Properties::transform(const std::string& name) {
     return result;
 }
 
+std::vector<double> Properties::numbers(const std::string& name) {
+    std::vector<double> result;
+    const std::string all = text(name, "");
+    for (const std::string_view token : tokens(all)) {
+        const std::optional<double> value = parse_number(token);
+        if (!value) fail(name, "parameter " + in_quotes(name) + ": " + number_defect(token));
+        result.push_back(*value);
+    }
+    return result;
+}
+
 void Properties::ignore(const std::vector<std::string>& names) { asked_.insert(names.begin(), names.end()); }
 
 void Properties::finish() {
@@ -150,6 +211,12 @@ void Properties::finish() {
         const std::string close = closest_name(name, {asked_.begin(), asked_.end()});
         source_.warn(parameter, label() + " has no parameter " + in_quotes(name) + ": ignored" +
                                     (close.empty() ? "" : "; did you mean " + in_quotes(close) + "?"));
+    }
+    for (const NestedObject& object : objects_) {
+        if (taken_.count(object.named_at.hash_value()) != 0) continue;
+        const std::string named = object.name.empty() ? "" : " " + in_quotes(object.name);
+        source_.approximate(object.named_at, escaped(object.kind) + " type " + in_quotes(object.type) + named + " inside " + label() +
+                                                 " is not supported: left out");
     }
 }
 

@@ -16,6 +16,7 @@ struct NestedObject {
     pugi::xml_node named_at;  // the object or the <ref> to it: the place to blame
     std::string kind;         // element name: bsdf, emitter, film, ...
     std::string type;         // plugin
+    std::string name;         // of the parameter that it is, or empty
 };
 
 class Properties {
@@ -28,25 +29,38 @@ public:
     std::string label() const;
     [[noreturn]] void fail(const std::string& name, const std::string& message) const;  // at the parameter; with no name, at the object
 
+    /// Not supported here; the message says what is done instead.
+    void approximate(const std::string& name, const std::string& message) const;
+
     bool has(const std::string& name) const { return parameters_.count(name) != 0; }
+    /// As a value or as a texture.
+    bool has_slot(const std::string& name) const;
+    /// Element of the parameter, or none; it counts as read.
+    pugi::xml_node element(const std::string& name) { return take(name); }
     double number(const std::string& name, double absent);
     long long integer(const std::string& name, long long absent);
     bool boolean(const std::string& name, bool absent);
     std::string text(const std::string& name, const std::string& absent);
     glm::dvec3 vector(const std::string& name, glm::dvec3 absent);
     glm::vec3 colour(const std::string& name, glm::vec3 absent, ColourUse use);
+    /// Several numbers of one <string>, separated by blanks or commas; empty if absent.
+    std::vector<double> numbers(const std::string& name);
     /// Identity if absent; never singular.
     glm::dmat4 transform(const std::string& name);
 
     /// Known, and without effect here.
     void ignore(const std::vector<std::string>& names);
-    /// A nested object that has no business here.
-    [[noreturn]] void fail_nested(const NestedObject& object) const;
     const std::vector<NestedObject>& objects() const { return objects_; }
-    /// Warns about parameters that were neither asked for nor ignored.
+    /// Nested objects of this kind; from now on they count as read.
+    std::vector<NestedObject> take_objects(const std::string& kind);
+    /// The nested texture that is this parameter.
+    std::optional<NestedObject> take_texture(const std::string& name);
+    /// Warns about parameters and objects that were neither asked for nor ignored.
     void finish();
 
 private:
+    void add_parameter(pugi::xml_node child);
+    void add_first_key(pugi::xml_node animation);
     pugi::xml_node take(const std::string& name);
     pugi::xml_node take(const std::string& name, const std::string& tags);
     std::string value(pugi::xml_node parameter) const;
@@ -55,6 +69,7 @@ private:
     pugi::xml_node node_;
     std::map<std::string, pugi::xml_node> parameters_;
     std::set<std::string> asked_;
+    std::set<std::size_t> taken_;  // objects, by the node that names them
     std::vector<NestedObject> objects_;
 };
 

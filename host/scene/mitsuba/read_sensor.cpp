@@ -1,76 +1,17 @@
-// Defaults are Mitsuba's: 768 x 576, gaussian filter, focal length 50 mm on 36 x 24 mm film when no field of view is given.
+// Defaults are Mitsuba's: focal length 50 mm on 36 x 24 mm film when no field of view is given.
 #include "scene/mitsuba/read_sensor.h"
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "scene/mitsuba/read_film.h"
 #include "scene/text.h"
 
 namespace pencil {
 namespace {
-
-ReconstructionFilter read_filter(XmlSource& source, const NestedObject& object) {
-    using Kind = ReconstructionFilter::Kind;
-    Properties p(source, object.node);
-    ReconstructionFilter filter;
-    if (object.type == "box") {
-        filter.kind = Kind::box;
-        filter.radius = p.number("radius", 0.5);
-    } else if (object.type == "tent") {
-        filter.kind = Kind::tent;
-        filter.radius = p.number("radius", 1.0);
-    } else if (object.type == "gaussian") {
-        filter.stddev = p.number("stddev", 0.5);
-        if (!(filter.stddev > 0.0)) p.fail("stddev", "stddev must be positive");
-        filter.radius = 4.0 * filter.stddev;
-    } else if (object.type == "mitchell") {
-        filter.kind = Kind::mitchell;
-        // The two parameters are named B and C in Mitsuba 0.x, A and B in 3.x; a lone B is told apart by the scene's version.
-        const bool old_names = p.has("C") || (!p.has("A") && source.version() < 2);
-        filter.b = p.number(old_names ? "B" : "A", 1.0 / 3.0);
-        filter.c = p.number(old_names ? "C" : "B", 1.0 / 3.0);
-    } else if (object.type == "catmullrom") {
-        filter.kind = Kind::catmullrom;
-        filter.b = 0.0;
-        filter.c = 0.5;
-    } else if (object.type == "lanczos") {
-        filter.kind = Kind::lanczos;
-        filter.radius = static_cast<double>(p.integer("lobes", 3));
-    } else {
-        p.fail("", "is not supported; supported: box, tent, gaussian, mitchell, catmullrom, lanczos");
-    }
-    constexpr double widest = 64.0;  // pixels; beyond it the filter is a mistake
-    if (!(filter.radius > 0.0 && filter.radius <= widest)) p.fail("radius", "the filter's radius must lie in (0, 64] pixels");
-    p.ignore({"radius"});
-    p.finish();
-    return filter;
-}
-
-int read_size(Properties& p, const std::string& name, int absent) {
-    const long long size = p.integer(name, absent);
-    constexpr long long largest = 1'000'000;  // pixels, as of --resolution
-    if (size < 1 || size > largest) p.fail(name, name + " must be from 1 to " + std::to_string(largest) + " pixels");
-    return static_cast<int>(size);
-}
-
-void read_film(XmlSource& source, const NestedObject& object, PerspectiveSensor& sensor) {
-    Properties p(source, object.node);
-    if (object.type != "hdrfilm" && object.type != "ldrfilm") p.fail("", "is not supported; supported: hdrfilm, ldrfilm");
-    sensor.width = read_size(p, "width", sensor.width);
-    sensor.height = read_size(p, "height", sensor.height);
-    for (const char* crop : {"crop_width", "crop_height", "crop_offset_x", "crop_offset_y"})
-        if (p.has(crop)) source.warn(object.node, p.label() + ": crop windows are not supported, the whole image is rendered");
-    p.ignore({"crop_width", "crop_height", "crop_offset_x", "crop_offset_y", "file_format", "pixel_format", "component_format", "banner",
-              "gamma", "exposure", "tonemap_method", "key", "burn", "attach_log", "high_quality_edges", "sample_border", "compensate",
-              "fast_path"});
-    for (const NestedObject& child : p.objects()) {
-        if (child.kind != "rfilter") source.fail(child.named_at, "<" + child.kind + "> cannot stand inside " + p.label());
-        sensor.filter = read_filter(source, child);
-    }
-    p.finish();
-}
 
 /// "50mm" or "50": the focal length for 36 x 24 mm film gives the diagonal field of view.
 double fov_of_focal_length(Properties& p) {
@@ -117,26 +58,70 @@ glm::dmat4 read_frame(Properties& p) {
     return frame;
 }
 
-}  // namespace
+void read_type(Properties& p, const std::string& type, PerspectiveSensor& sensor) {
+    sensor.orthographic = type == "orthographic" || type == "telecentric";
+    if (!takes_pictures(type)) p.fail("", "takes no picture; supported: perspective, thinlens, orthographic");
+    if (type == "telecentric" || type == "perspective_rdist")
+        p.approximate("", std::string("is not supported: read as ") + (sensor.orthographic ? "orthographic" : "perspective"));
+}
 
-PerspectiveSensor read_sensor(XmlSource& source, pugi::xml_node node) {
+void read_lens(Properties& p, const std::string& type, PerspectiveSensor& sensor) {
+    if (type != "thinlens") return p.ignore({"focus_distance", "aperture_radius"});
+    sensor.aperture_radius = p.number("aperture_radius", 0);
+    sensor.focus_distance = p.number("focus_distance", sensor.far_clip);
+    if (!(sensor.aperture_radius >= 0)) p.fail("aperture_radius", "aperture_radius must not be negative");
+    if (!(sensor.focus_distance > 0)) p.fail("focus_distance", "focus_distance must be positive");
+    p.ignore({"blades"});
+}
+
+PerspectiveSensor read(XmlSource& source, pugi::xml_node node, int depth) {
     Properties p(source, node);
-    if (std::string(node.attribute("type").value()) != "perspective") p.fail("", "is not supported; supported: perspective");
+    const std::string type = node.attribute("type").value();
+    const std::vector<NestedObject> inner = p.take_objects("sensor");
+    if (type == "batch" && !inner.empty() && depth == 0) {
+        p.approximate("", "is not supported: the first sensor inside is read");
+        return read(source, inner[0].node, depth + 1);
+    }
     PerspectiveSensor sensor;
-    for (const NestedObject& child : p.objects())
-        if (child.kind == "film")
-            read_film(source, child, sensor);
-        else if (child.kind != "sampler")
-            source.fail(child.named_at, "<" + child.kind + "> cannot stand inside " + p.label());
-    sensor.fov_x = read_fov(p, static_cast<double>(sensor.width) / sensor.height);
-    sensor.to_world = read_frame(p);
+    read_type(p, type, sensor);
+    const std::vector<NestedObject> films = p.take_objects("film");
+    if (films.size() > 1) source.warn(films[1].named_at, p.label() + " has more than one film; the first is used");
+    if (!films.empty()) read_film(source, films[0], sensor);
+    p.take_objects("sampler");
+    if (!sensor.orthographic) sensor.fov_x = read_fov(p, static_cast<double>(sensor.width) / sensor.height);
+    sensor.to_world = sensor.orthographic ? p.transform("to_world") : read_frame(p);
     sensor.near_clip = p.number("near_clip", sensor.near_clip);
     sensor.far_clip = p.number("far_clip", sensor.far_clip);
     if (!(sensor.near_clip > 0.0)) p.fail("near_clip", "near_clip must be positive");
     if (!(sensor.near_clip < sensor.far_clip)) p.fail("far_clip", "far_clip must be greater than near_clip");
+    read_lens(p, type, sensor);
     sensor.principal_point_offset = {p.number("principal_point_offset_x", 0.0), p.number("principal_point_offset_y", 0.0)};
-    p.ignore({"focus_distance", "shutter_open", "shutter_close", "sample_count"});
+    p.ignore({"shutter_open", "shutter_close", "sample_count", "srf", "kc"});
     p.finish();
+    return sensor;
+}
+
+}  // namespace
+
+bool takes_pictures(const std::string& type) {
+    const std::vector<std::string> types = {"perspective", "thinlens", "orthographic", "perspective_rdist", "telecentric", "batch"};
+    return std::find(types.begin(), types.end(), type) != types.end();
+}
+
+PerspectiveSensor read_sensor(XmlSource& source, pugi::xml_node node) { return read(source, node, 0); }
+
+PerspectiveSensor default_sensor(const Scene& scene) {
+    glm::dvec3 low = scene.positions.at(0), high = low;
+    for (const glm::dvec3& position : scene.positions) {
+        low = glm::min(low, position);
+        high = glm::max(high, position);
+    }
+    const glm::dvec3 size = high - low, middle = 0.5 * (low + high);
+    PerspectiveSensor sensor;  // of 45 degrees
+    const double distance = std::max({size.x, size.y, size.z}) / (2.0 * std::tan(0.5 * glm::radians(sensor.fov_x)));
+    sensor.near_clip = distance / 100.0;
+    sensor.far_clip = 5.0 * glm::length(size) + distance;
+    sensor.to_world[3] = glm::dvec4(middle.x, middle.y, low.z - distance, 1.0);
     return sensor;
 }
 

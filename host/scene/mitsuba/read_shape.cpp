@@ -2,89 +2,98 @@
 
 #include <optional>
 
-#include "scene/meshes/read_obj.h"
-#include "scene/meshes/read_ply.h"
-#include "scene/mitsuba/read_bsdf.h"
-#include "scene/mitsuba/read_emitter.h"
-#include "scene/scene_file.h"
+#include "scene/mitsuba/read_shape_mesh.h"
 #include "scene/text.h"
 
 namespace pencil {
 
 void ShapeReader::read(pugi::xml_node node) {
     Properties p(source_, node);
-    Shape shape;
-    shape.kind = node.attribute("type").value();
-    const Mesh mesh = read_mesh(p, shape.kind);
-    const std::string ordinal = std::to_string(++ordinals_[shape.kind]);
-    shape.id = node.attribute("id") ? std::string(node.attribute("id").value()) : shape.kind + " " + ordinal;
-    read_emission(p, shape);
-    place(p, mesh, shape, material_of(p, shape.emits));
+    const std::string kind = node.attribute("type").value();
+    if (kind == "shapegroup") return;  // seen through its instances alone
+    if (kind == "instance") return read_instance(p);
+    if (kind == "merge") return read_members(p, glm::dmat4(1.0));
+    read_one(p, kind, glm::dmat4(1.0), false);
 }
 
-std::uint32_t ShapeReader::add_material(SceneMaterial material) {
-    scene_.materials.push_back(std::move(material));
-    return static_cast<std::uint32_t>(scene_.materials.size() - 1);
+void ShapeReader::read_instance(Properties& p) {
+    const std::vector<NestedObject> groups = p.take_objects("shape");
+    if (groups.size() != 1 || groups[0].type != "shapegroup") p.fail("", "needs a reference to one shapegroup");
+    const glm::dmat4 to_world = p.transform("to_world");
+    p.finish();
+    Properties group(source_, groups[0].node);
+    read_members(group, to_world);
+}
+
+/// Groups hold no instances (Mitsuba's rule), so this does not recurse.
+void ShapeReader::read_members(Properties& group, const glm::dmat4& to_world) {
+    for (const NestedObject& member : group.take_objects("shape")) {
+        Properties p(source_, member.node);
+        if (member.type == "instance" || member.type == "shapegroup" || member.type == "merge")
+            p.approximate("", "inside a group is not supported: left out");
+        else
+            source_.problems().attempt([&] { read_one(p, member.type, to_world, true); });
+    }
+}
+
+void ShapeReader::read_one(Properties& p, const std::string& kind, const glm::dmat4& group_to_world, bool keep_mesh) {
+    if (!is_known_shape(kind)) return p.approximate("", "is not supported: left out");
+    Shape shape;
+    shape.kind = kind;
+    Mesh own;
+    const Mesh& mesh = mesh_of(p, kind, keep_mesh, own);
+    const std::string ordinal = std::to_string(++ordinals_[kind]), id = p.node().attribute("id").value();
+    shape.id = id.empty() ? kind + " " + ordinal : id;
+    read_emission(p, shape);
+    place(p, mesh, group_to_world, shape, material_of(p, shape.emits));
+}
+
+/// Files of a group's members are read once for all instances.
+const Mesh& ShapeReader::mesh_of(Properties& p, const std::string& kind, bool keep, Mesh& own) {
+    if (!keep) return own = read_shape_mesh(p, kind);
+    p.ignore({"filename", "flip_tex_coords", "shape_index", "max_smooth_angle", "collapse", "srgb", "load_materials"});
+    const auto place = meshes_.find(p.node().hash_value());
+    return place != meshes_.end() ? place->second : meshes_[p.node().hash_value()] = read_shape_mesh(p, kind);
 }
 
 /// The shape's own, or Mitsuba's for shapes that name none: grey, or black if they emit.
 std::uint32_t ShapeReader::material_of(Properties& p, bool emits) {
-    std::optional<std::uint32_t> found;
-    for (const NestedObject& object : p.objects()) {
-        if (object.kind != "bsdf") continue;
-        if (found) source_.fail(object.named_at, p.label() + " has more than one bsdf");
-        const auto place = materials_.find(object.node.hash_value());
-        found = place != materials_.end() ? place->second : add_material(read_bsdf(source_, object.node));
-        materials_[object.node.hash_value()] = *found;
-    }
-    if (found) return *found;
+    const std::vector<NestedObject> bsdfs = p.take_objects("bsdf");
+    const bool has_medium = !p.take_objects("medium").empty();
+    if (has_medium) p.approximate("", "has a medium, which is not supported: left out");
+    // In Mitsuba 0.x the boundary of a medium is not seen unless a material says so.
+    if (bsdfs.empty() && has_medium && !emits && source_.version(p.node()) < 2) return bsdfs_.pass();
+    if (bsdfs.empty()) return default_material(emits);
+    if (bsdfs.size() > 1 && bsdfs[0].name.empty()) source_.fail(bsdfs[1].named_at, p.label() + " has more than one bsdf");
+    if (bsdfs.size() > 1)
+        source_.approximate(bsdfs[1].named_at, p.label() + ": materials by names of the mesh are not supported: the first is used");
+    const std::uint32_t index = bsdfs_.index_of(bsdfs[0].node);
+    if (!emits || scene_.materials[index].model != MATERIAL_PASS) return index;
+    source_.approximate(bsdfs[0].named_at, p.label() + ": a null material on a light is read as a black one");
+    return default_material(true);
+}
+
+std::uint32_t ShapeReader::default_material(bool emits) {
     std::int64_t& index = default_material_[emits ? 1 : 0];
-    if (index < 0) index = add_material({emits ? "default (emitter)" : "default", MATERIAL_DIFFUSE, glm::vec3(emits ? 0.0F : 0.5F)});
+    if (index < 0) {
+        SceneMaterial material;
+        material.id = emits ? "default (emitter)" : "default";
+        if (emits) material.albedo = glm::vec3(0.0F);
+        index = bsdfs_.append(std::move(material));
+    }
     return static_cast<std::uint32_t>(index);
 }
 
-/// Also refuses objects that have no business in a shape.
 void ShapeReader::read_emission(Properties& p, Shape& shape) {
-    for (const NestedObject& object : p.objects()) {
-        if (object.kind == "bsdf") continue;
-        if (object.kind != "emitter") p.fail_nested(object);
+    for (const NestedObject& object : p.take_objects("emitter")) {
         if (shape.emits) source_.fail(object.named_at, p.label() + " has more than one emitter");
-        shape.radiance = read_radiance(source_, object);
-        shape.emits = true;
+        emitters_.read_area(object, shape);
     }
 }
 
-Mesh ShapeReader::read_mesh(Properties& p, const std::string& kind) {
-    if (kind == "rectangle") return make_rectangle();
-    if (kind == "cube") return make_cube();
-    if (kind == "sphere") return make_sphere();
-    if (kind != "obj" && kind != "ply")
-        source_.fail(p.node(), p.label() + " is not supported; supported: rectangle, cube, sphere, obj, ply");
-    p.ignore({"max_smooth_angle", "collapse", "srgb"});
-    const std::string name = p.text("filename", "");
-    if (!p.has("filename")) p.fail("", "needs a filename");
-    const std::string where = source_.where(p.node());
-    const std::filesystem::path file = path_inside(source_.file().parent_path(), name, where);
-    const std::string bytes = read_regular_file(file, max_mesh_bytes, where);
-    Mesh mesh = kind == "obj" ? read_obj(bytes, shown(file)) : read_ply(bytes, shown(file));
-    if (p.boolean("flip_tex_coords", kind == "obj"))
-        for (glm::vec2& uv : mesh.uvs) uv.y = 1.0F - uv.y;
-    return mesh;
-}
-
-/// The sphere's own centre and radius come before to_world.
-glm::dmat4 ShapeReader::object_to_world(Properties& p, const std::string& kind) {
-    const glm::dmat4 to_world = p.transform("to_world");
-    if (kind != "sphere") return to_world;
-    const glm::dvec3 center = p.vector("center", glm::dvec3(0.0));
-    const double radius = p.number("radius", 1.0);
-    if (!(radius > 0.0)) p.fail("radius", "radius must be positive");
-    return to_world * glm::dmat4(radius, 0, 0, 0, 0, radius, 0, 0, 0, 0, radius, 0, center.x, center.y, center.z, 1);
-}
-
-void ShapeReader::place(Properties& p, const Mesh& mesh, Shape shape, std::uint32_t material) {
+void ShapeReader::place(Properties& p, const Mesh& mesh, const glm::dmat4& group_to_world, Shape shape, std::uint32_t material) {
     Placement placement;
-    placement.to_world = object_to_world(p, shape.kind);
+    placement.to_world = group_to_world * shape_to_world(p, shape.kind);
     placement.flip_normals = p.boolean("flip_normals", false);
     placement.face_normals = p.boolean("face_normals", false);
     p.finish();
@@ -93,6 +102,7 @@ void ShapeReader::place(Properties& p, const Mesh& mesh, Shape shape, std::uint3
     const PlacementCounts counts = place_mesh(mesh, placement, {number, material}, source_.where(p.node()), scene_);
     shape.triangle_count = static_cast<std::uint32_t>(scene_.triangles.size()) - shape.first_triangle;
     const std::string label = p.label() + " " + in_quotes(shape.id);
+    for (const std::string& note : mesh.notes) source_.warn(p.node(), label + ": " + note);
     if (counts.dropped > 0) source_.warn(p.node(), label + ": " + std::to_string(counts.dropped) + " triangles of zero area left out");
     if (counts.turned > 0) {
         source_.warn(p.node(), label + ": " + std::to_string(counts.turned) +

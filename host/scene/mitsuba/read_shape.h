@@ -1,4 +1,4 @@
-// Mitsuba's shapes: built-in ones and meshes from files, each with its material and perhaps an emitter.
+// Mitsuba's shapes, each with its material and perhaps an emitter, and groups of shapes with their instances.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +7,8 @@
 
 #include "scene/meshes/mesh.h"
 #include "scene/mitsuba/properties.h"
+#include "scene/mitsuba/read_bsdf.h"
+#include "scene/mitsuba/read_emitter.h"
 #include "scene/scene.h"
 
 namespace pencil {
@@ -14,22 +16,27 @@ namespace pencil {
 /// Materials are added to the scene when a shape first uses them.
 class ShapeReader {
 public:
-    ShapeReader(XmlSource& source, Scene& scene) : source_(source), scene_(scene) {}
+    ShapeReader(XmlSource& source, Scene& scene, BsdfReader& bsdfs, EmitterReader& emitters)
+        : source_(source), scene_(scene), bsdfs_(bsdfs), emitters_(emitters) {}
 
-    /// Appends the shape to the scene.
+    /// Appends the shape to the scene: its copies, if it is an instance of a group; nothing, if it is a group.
     void read(pugi::xml_node node);
 
 private:
+    void read_one(Properties& p, const std::string& kind, const glm::dmat4& group_to_world, bool keep_mesh);
+    void read_instance(Properties& p);
+    void read_members(Properties& group, const glm::dmat4& to_world);
+    const Mesh& mesh_of(Properties& p, const std::string& kind, bool keep, Mesh& own);
     std::uint32_t material_of(Properties& p, bool emits);
-    std::uint32_t add_material(SceneMaterial material);
+    std::uint32_t default_material(bool emits);
     void read_emission(Properties& p, Shape& shape);
-    Mesh read_mesh(Properties& p, const std::string& kind);
-    glm::dmat4 object_to_world(Properties& p, const std::string& kind);
-    void place(Properties& p, const Mesh& mesh, Shape shape, std::uint32_t material);
+    void place(Properties& p, const Mesh& mesh, const glm::dmat4& group_to_world, Shape shape, std::uint32_t material);
 
     XmlSource& source_;
     Scene& scene_;
-    std::map<std::size_t, std::uint32_t> materials_;  // by node
+    BsdfReader& bsdfs_;
+    EmitterReader& emitters_;
+    std::map<std::size_t, Mesh> meshes_;  // of groups' members, by node
     std::int64_t default_material_[2] = {-1, -1};
     std::map<std::string, int> ordinals_;
 };

@@ -10,7 +10,8 @@
 
 namespace pencil {
 
-enum class ColourUse { reflectance, emission };
+/// coefficient: an index of refraction or extinction, grey if it is one number.
+enum class ColourUse { reflectance, emission, coefficient };
 
 double attribute_number(const XmlSource& source, pugi::xml_node node, const char* attribute);
 /// value="x y z", value="s" for all three, or x=, y=, z=, each of which may be absent.

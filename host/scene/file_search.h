@@ -1,0 +1,29 @@
+// Finding the files that a scene names: in the folders it searches, and only inside the folders that it may read.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace pencil {
+
+class FileSearch {
+public:
+    /// A scene in `folder` may read files inside it and inside `allowed`, after symbolic links have been followed.
+    FileSearch(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& allowed);
+
+    /// Names are searched here, too, after the folders added before.
+    void add_folder(const std::filesystem::path& folder) { folders_.push_back(folder); }
+
+    /// `name` as the file at `where` in folder `holder` means it: relative to `holder`, to added folders or to the scene's, backslashes being
+    /// slashes; the first that exists, or else the first. SceneError for a name that leads outside.
+    std::filesystem::path find(const std::string& name, const std::filesystem::path& holder, const std::string& where) const;
+
+private:
+    bool is_allowed(const std::filesystem::path& file) const;
+
+    std::filesystem::path scene_folder_;
+    std::vector<std::filesystem::path> roots_, folders_;  // roots: canonical
+};
+
+}  // namespace pencil

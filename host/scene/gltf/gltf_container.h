@@ -1,0 +1,16 @@
+// What holds the JSON of a glTF file: the text itself (.gltf), or a binary container (.glb). Checked here before a parser sees it.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace pencil {
+
+/// True if the bytes begin as a binary container does.
+bool is_glb(std::string_view bytes);
+
+/// The JSON text inside. SceneError blaming `where` for a container whose lengths lie, one of another version, and for text that nests so
+/// deeply that parsers, which call themselves at every level, run out of stack.
+std::string_view checked_gltf_json(std::string_view bytes, const std::string& where);
+
+}  // namespace pencil

@@ -1,0 +1,122 @@
+// The parser is tinygltf, which opens any file that it is told to: it gets its files from here instead. Images are not decoded by it.
+#include "scene/gltf/gltf_file.h"
+
+#include <algorithm>
+
+#include "scene/gltf/gltf_container.h"
+#include "scene/scene_file.h"
+#include "scene/text.h"
+
+namespace pencil {
+namespace {
+
+constexpr std::string_view supported_extensions =
+    "KHR_lights_punctual KHR_materials_clearcoat KHR_materials_emissive_strength KHR_materials_ior KHR_materials_sheen "
+    "KHR_materials_specular KHR_materials_transmission KHR_materials_unlit KHR_materials_volume KHR_mesh_quantization "
+    "KHR_texture_transform";
+
+/// How a scene can be had without the extension.
+std::string advice_on(const std::string& extension) {
+    const auto contains = [&](const char* part) { return extension.find(part) != std::string::npos; };
+    if (contains("draco") || contains("meshopt")) return "; export it without compression of meshes, or decompress it with gltf-transform";
+    if (contains("basisu") || contains("webp") || contains("dds") || contains("avif")) return "; export it with textures in PNG or JPEG";
+    if (contains("pbrSpecularGlossiness")) return "; convert it with gltf-transform metalrough";
+    return "";
+}
+
+/// Hands out the files that a scene names, from the folders alone that it may read.
+struct Files {
+    const FileSearch& search;
+    std::filesystem::path folder;
+    std::string where;
+};
+
+std::filesystem::path find_file(const std::string& name, void* files) {
+    const Files& of = *static_cast<const Files*>(files);
+    if (name.substr(0, 5) == "data:") throw SceneError(of.where, "data URI " + in_quotes(name.substr(0, 40)) + " is not of a known type");
+    return of.search.find(name, of.folder, of.where);
+}
+
+/// Always, or an error: tinygltf would go on searching elsewhere.
+bool file_exists(const std::string& name, void* files) {
+    find_file(name, files);
+    return true;
+}
+
+std::string same_path(const std::string& name, void*) { return name; }
+
+bool read_file(std::vector<unsigned char>* out, std::string*, const std::string& name, void* files) {
+    const std::string bytes = read_regular_file(find_file(name, files), max_mesh_bytes, static_cast<const Files*>(files)->where);
+    out->assign(bytes.begin(), bytes.end());
+    return true;
+}
+
+bool write_nothing(std::string*, const std::string&, const std::vector<unsigned char>&, void*) { return false; }
+
+/// Keeps the encoded bytes. Those in a buffer stay there: the range that tinygltf hands over has not been checked.
+bool keep_image(tinygltf::Image* image, const int, std::string*, std::string*, int, int, const unsigned char* bytes, int size, void*) {
+    if (image->bufferView < 0 && size > 0) image->image.assign(bytes, bytes + size);
+    image->as_is = true;
+    return true;
+}
+
+}  // namespace
+
+GltfFile::GltfFile(const std::filesystem::path& file, const LoadOptions& options)
+    : path_(file), search_(file.parent_path(), options.allowed), problems_(options.strict) {
+    const std::string bytes = read_regular_file(file, max_mesh_bytes, shown(file));
+    try {
+        parse(bytes);
+    } catch (const Error&) {
+        throw;
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& error) {
+        fail("this is not well-formed glTF: " + escaped(error.what(), 200));
+    }
+    check_extensions();
+}
+
+void GltfFile::parse(const std::string& bytes) {
+    checked_gltf_json(bytes, shown(path_));
+    Files files{search_, path_.parent_path(), shown(path_)};
+    tinygltf::TinyGLTF parser;
+    parser.SetFsCallbacks({file_exists, same_path, read_file, write_nothing, &files});
+    parser.SetImageLoader(keep_image, nullptr);
+    std::string error, warning;
+    const auto size = static_cast<unsigned>(bytes.size());
+    const bool read = is_glb(bytes) ? parser.LoadBinaryFromMemory(&model_, &error, &warning,
+                                                                  reinterpret_cast<const unsigned char*>(bytes.data()), size, "")
+                                    : parser.LoadASCIIFromString(&model_, &error, &warning, bytes.data(), size, "");
+    if (!read) fail("this is not well-formed glTF: " + escaped(trimmed(error), 200));
+    for (const std::string& message : {error, warning})
+        if (!trimmed(message).empty()) warn(escaped(trimmed(message), 200));
+    if (model_.asset.version.substr(0, 2) != "2.") fail("glTF version " + in_quotes(model_.asset.version) + " is not supported; 2.0 is");
+}
+
+void GltfFile::check_extensions() {
+    const std::vector<std::string_view> known = tokens(supported_extensions);
+    const auto is_known = [&](const std::string& name) { return std::find(known.begin(), known.end(), name) != known.end(); };
+    for (const std::string& name : model_.extensionsRequired)
+        if (!is_known(name)) fail("the required extension " + in_quotes(name) + " is not supported" + advice_on(name));
+    for (const std::string& name : model_.extensionsUsed)
+        if (!is_known(name)) approximate("extension " + in_quotes(name) + " is left out");
+}
+
+void GltfFile::fail(const std::string& message) const { throw SceneError(shown(path_), message); }
+
+void GltfFile::warn(const std::string& message) { problems_.warn(shown(path_), message); }
+
+void GltfFile::approximate(const std::string& message) { problems_.approximate(shown(path_), message); }
+
+std::vector<std::string> GltfFile::warnings() const {
+    problems_.throw_errors();
+    return problems_.warnings();
+}
+
+std::string named(const char* kind, std::size_t index, const std::string& name) {
+    const std::string label = std::string(kind) + " " + std::to_string(index);
+    return name.empty() ? label : label + " " + in_quotes(name);
+}
+
+}  // namespace pencil

@@ -1,0 +1,32 @@
+// OBJ has no signature: its first statement tells it.
+#include <algorithm>
+#include <vector>
+
+#include "scene/models/read_model.h"
+#include "scene/text.h"
+
+namespace pencil {
+namespace {
+
+/// The first line that is neither empty nor a comment.
+std::string_view first_statement(std::string_view head) {
+    while (!head.empty()) {
+        const std::size_t end = std::min(head.find('\n'), head.size());
+        const std::string_view line = trimmed(head.substr(0, end));
+        if (!line.empty() && line[0] != '#') return line;
+        head.remove_prefix(std::min(end + 1, head.size()));
+    }
+    return {};
+}
+
+}  // namespace
+
+bool is_ply(std::string_view head) { return head.substr(0, 3) == "ply" && (head.size() == 3 || trimmed(head.substr(3, 1)).empty()); }
+
+bool is_obj(std::string_view head) {
+    const std::string_view line = first_statement(head), word = line.substr(0, line.find_first_of(" \t"));
+    const std::vector<std::string_view> keywords = tokens("v vt vn vp f o g s mtllib usemtl");
+    return line.size() > word.size() && std::find(keywords.begin(), keywords.end(), word) != keywords.end();
+}
+
+}  // namespace pencil

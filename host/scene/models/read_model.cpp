@@ -1,0 +1,158 @@
+#include "scene/models/read_model.h"
+
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "scene/default_view.h"
+#include "scene/file_search.h"
+#include "scene/meshes/read_obj.h"
+#include "scene/meshes/read_ply.h"
+#include "scene/models/mtl_scattering.h"
+#include "scene/models/read_mtl.h"
+#include "scene/problems.h"
+#include "scene/scene_file.h"
+#include "scene/text.h"
+#include "util/error.h"
+
+namespace pencil {
+namespace {
+
+constexpr std::uintmax_t max_mtl_bytes = std::uintmax_t{16} << 20;
+
+/// The triangles of one part, with the vertices that they use. `place` has a number for each vertex of the whole mesh, all `unused`, and is
+/// left so.
+constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
+Mesh part_of(const Mesh& whole, const std::vector<std::uint32_t>& triangles, std::vector<std::uint32_t>& place) {
+    Mesh part;
+    part.smooth = whole.smooth;
+    std::vector<std::uint32_t> used;
+    for (const std::uint32_t t : triangles) {
+        glm::uvec3 corners = whole.triangles[t];
+        for (int k = 0; k < 3; ++k) {
+            const std::uint32_t from = corners[k];
+            if (place[from] == unused) {
+                place[from] = static_cast<std::uint32_t>(used.size());
+                used.push_back(from);
+            }
+            corners[k] = place[from];
+        }
+        part.triangles.push_back(corners);
+    }
+    for (const std::uint32_t i : used) {
+        part.positions.push_back(whole.positions[i]);
+        if (!whole.normals.empty()) part.normals.push_back(whole.normals[i]);
+        if (!whole.uvs.empty()) part.uvs.push_back(whole.uvs[i]);
+        if (!whole.colours.empty()) part.colours.push_back(whole.colours[i]);
+        place[i] = unused;
+    }
+    return part;
+}
+
+class ModelReader {
+public:
+    ModelReader(const std::filesystem::path& file, const LoadOptions& options)
+        : file_(file), where_(shown(file)), search_(file.parent_path(), options.allowed), problems_(options.strict) {
+        scene_.file = file.string();
+    }
+
+    Scene read_obj() {
+        ObjFile obj = read_obj_file(read_regular_file(file_, max_mesh_bytes, where_), where_);
+        for (glm::vec2& uv : obj.mesh.uvs) uv.y = 1.0F - uv.y;  // v grows upwards in OBJ
+        for (const std::string& library : obj.libraries) read_library(library);
+        std::vector<std::vector<std::uint32_t>> parts(obj.materials.size());
+        for (std::size_t t = 0; t < obj.material.size(); ++t) parts[obj.material[t]].push_back(static_cast<std::uint32_t>(t));
+        std::vector<std::uint32_t> place(obj.mesh.positions.size(), unused);
+        for (std::size_t i = 0; i < parts.size(); ++i)
+            if (!parts[i].empty()) add_part(part_of(obj.mesh, parts[i], place), obj.materials[i]);
+        return finish(obj.mesh);
+    }
+
+    Scene read_ply() {
+        Mesh mesh = pencil::read_ply(read_regular_file(file_, max_mesh_bytes, where_), where_);
+        Shape shape;
+        shape.id = shape.kind = "ply";
+        place(mesh, std::move(shape), coloured(unnamed_material(), mesh));
+        return finish(mesh);
+    }
+
+private:
+    /// Files of the web often lack theirs, or name those of another machine.
+    void read_library(const std::string& name) {
+        try {
+            const std::filesystem::path file = search_.find(name, file_.parent_path(), where_);
+            for (MtlMaterial& material : read_mtl(read_regular_file(file, max_mtl_bytes, where_), shown(file)))
+                library_.emplace(material.name, std::move(material));
+        } catch (const SceneError& error) {
+            leave_out(error, "; its materials are left out", where_, problems_);
+        }
+    }
+
+    void add_part(const Mesh& mesh, const std::string& name) {
+        const auto material = library_.find(name);
+        Shape shape;
+        shape.id = name.empty() ? "obj" : name;
+        shape.kind = "obj";
+        if (material == library_.end()) {
+            if (!name.empty()) problems_.approximate(where_, "material " + in_quotes(name) + " is in no library that was read; it is grey");
+            return place(mesh, std::move(shape), coloured(unnamed_material(), mesh));
+        }
+        const MtlContext context{search_, file_.parent_path(), where_, problems_};
+        set_mtl_emission(material->second, context, scene_, shape);
+        if (!mesh.colours.empty()) problems_.approximate(where_, "colours of vertices are left out where there is a material");
+        place(mesh, std::move(shape), add_mtl_material(material->second, context, scene_));
+    }
+
+    /// Appends the material; its colour is that of the mesh's vertices if they have any.
+    std::uint32_t coloured(SceneMaterial material, const Mesh& mesh) {
+        if (!mesh.colours.empty()) {
+            Texture texture;
+            texture.kind = Texture::Kind::vertex_colours;
+            texture.name = "colours of vertices";
+            material.albedo = glm::vec3(1.0F);
+            material.albedo_texture = static_cast<int>(scene_.textures.size());
+            scene_.textures.push_back(std::move(texture));
+        }
+        scene_.materials.push_back(std::move(material));
+        return static_cast<std::uint32_t>(scene_.materials.size() - 1);
+    }
+
+    void place(const Mesh& mesh, Shape shape, std::uint32_t material) {
+        shape.first_triangle = static_cast<std::uint32_t>(scene_.triangles.size());
+        const PlacementCounts counts = place_mesh(mesh, {}, {static_cast<std::uint32_t>(scene_.shapes.size()), material}, where_, scene_);
+        dropped_ += counts.dropped;
+        turned_ += counts.turned;
+        shape.triangle_count = static_cast<std::uint32_t>(scene_.triangles.size()) - shape.first_triangle;
+        if (shape.triangle_count > 0) scene_.shapes.push_back(std::move(shape));
+    }
+
+    Scene finish(const Mesh& mesh) {
+        if (scene_.triangles.empty()) throw SceneError(where_, "the file has no faces: there is nothing to see");
+        for (const std::string& note : mesh.notes) problems_.approximate(where_, note);
+        if (dropped_ > 0) problems_.warn(where_, std::to_string(dropped_) + " triangles of zero area left out");
+        if (turned_ > 0) {
+            problems_.warn(
+                where_, std::to_string(turned_) + " triangles wound against their vertex normals; the normals say which side is the front");
+        }
+        problems_.throw_errors();
+        scene_.warnings = problems_.warnings();
+        complete_scene(scene_, false, where_);
+        return std::move(scene_);
+    }
+
+    const std::filesystem::path& file_;
+    std::string where_;
+    FileSearch search_;
+    Problems problems_;
+    Scene scene_;
+    std::map<std::string, MtlMaterial> library_;
+    std::size_t dropped_ = 0, turned_ = 0;
+};
+
+}  // namespace
+
+Scene read_obj_scene(const std::filesystem::path& file, const LoadOptions& options) { return ModelReader(file, options).read_obj(); }
+
+Scene read_ply_scene(const std::filesystem::path& file, const LoadOptions& options) { return ModelReader(file, options).read_ply(); }
+
+}  // namespace pencil

@@ -1,0 +1,34 @@
+// Material libraries of Wavefront OBJ.
+#pragma once
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pencil {
+
+/// A picture that a material names, with its options.
+struct MtlMap {
+    std::string file;                    // empty: none
+    glm::dvec3 offset{0.0}, scale{1.0};  // -o, -s: of texture coordinates whose v grows upwards
+    bool clamp = false;
+    double bump_multiplier = 1;  // -bm
+};
+
+/// Statements as the file gives them; what it does not give is empty.
+struct MtlMaterial {
+    std::string name;
+    std::optional<glm::dvec3> diffuse, specular, emission, filter;        // Kd, Ks, Ke, Tf
+    std::optional<double> exponent, opacity, index, roughness, metallic;  // Ns, d or 1 - Tr, Ni, Pr, Pm
+    std::optional<int> model;                                             // illum
+    MtlMap diffuse_map, emission_map, opacity_map, bump_map, normal_map;  // map_Kd, map_Ke, map_d, map_Bump, norm
+    std::vector<std::string> left_out;                                    // statements that say something and are not read
+};
+
+/// `name` is the file's name for messages. Statements that are not listed here are skipped.
+std::vector<MtlMaterial> read_mtl(std::string_view text, const std::string& name);
+
+}  // namespace pencil
