@@ -2,10 +2,13 @@
 
 #include <algorithm>
 
+#include "reference/lamp.h"
+#include "reference/texture_lookup.h"
+
 namespace pencil {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+constexpr double pi = 3.14159265358979323846, below_one = 0x1.fffffffffffffp-1;
 
 double mean(const glm::vec3& rgb) { return (static_cast<double>(rgb.x) + rgb.y + rgb.z) / 3; }
 
@@ -14,41 +17,83 @@ double area(const RayTriangle& t) { return 0.5 * glm::length(glm::cross(glm::dve
 /// Low-distortion map of the unit square to barycentric coordinates (Heitz 2019), here without its branch.
 glm::dvec2 square_to_triangle(const glm::dvec2& u) { return u - 0.5 * std::min(u.x, u.y); }
 
+/// The part of the interval that chose one of many is used again within it.
+std::size_t choose(const std::vector<double>& up_to, double& u) {
+    const auto found = std::upper_bound(up_to.begin(), up_to.end() - 1, u);
+    const auto chosen = static_cast<std::size_t>(found - up_to.begin());
+    const double below = chosen == 0 ? 0.0 : up_to[chosen - 1];
+    u = std::min((u - below) / (*found - below), below_one);
+    return chosen;
+}
+
 }  // namespace
 
-Emitters::Emitters(const Scene& scene, RayScene& ray_scene) : ray_scene_(ray_scene) {
+Emitters::Emitters(const Scene& scene, RayScene& ray_scene) : ray_scene_(ray_scene), profiles_(scene.profiles) {
+    add_far(scene);
+    add_finite(scene);
+}
+
+void Emitters::add_finite(const Scene& scene) {
     double total = 0;
-    for (std::size_t i = 0; i < ray_scene.triangles().size(); ++i) {
-        const RayTriangle& t = ray_scene.triangles()[i];
-        const double power = pi * area(t) * mean(ray_scene.emission()[t.shape].radiance);
+    std::vector<double> means;  // of radiance, by shape
+    for (const SurfaceEmission& e : ray_scene_.emission())
+        means.push_back(mean(e.texture == no_texture ? e.radiance : e.radiance * mean_colour(ray_scene_.surfaces().texture(e.texture))));
+    for (std::size_t i = 0; i < ray_scene_.triangles().size(); ++i) {
+        const RayTriangle& t = ray_scene_.triangles()[i];
+        const double power = pi * area(t) * means[t.shape];
         if (!(power > 0)) continue;
         triangles_.push_back(static_cast<std::uint32_t>(i));
         up_to_.push_back(total += power);
     }
     for (const PointLight& light : scene.point_lights) {
-        const glm::dvec3 intensity = glm::dvec3(light.intensity) / (ray_scene.scale() * ray_scene.scale());
-        const double power = 4 * pi * mean(intensity);
+        const glm::dvec3 intensity = glm::dvec3(light.intensity) / (ray_scene_.scale() * ray_scene_.scale());
+        const bool shaped = light.is_spot || light.profile >= 0;
+        const double power = (shaped ? lamp_extent(light, scene.profiles) : 4 * pi) * mean(intensity);
         if (!(power > 0)) continue;
-        points_.push_back({ray_scene.to_scene(light.position), intensity, static_cast<float>(power)});
+        points_.push_back({ray_scene_.to_scene(light.position), intensity, static_cast<float>(power), shaped ? &light : nullptr,
+                           glm::inverse(light.to_world)});
         up_to_.push_back(total += power);
     }
-    if (empty()) return;
+    if (up_to_.empty()) {
+        far_share_ = far_up_to_.empty() ? 0 : 1;
+        environment_share_ *= static_cast<float>(far_share_);
+        return;
+    }
+    far_share_ = far_up_to_.empty() ? 0 : 0.5;
+    environment_share_ *= static_cast<float>(far_share_);
+    const double scale = (1 - far_share_) / total;
     for (double& value : up_to_) value /= total;
-    for (PointEmitter& point : points_) point.probability = static_cast<float>(point.probability / total);
-    for (SurfaceEmission& emission : ray_scene.emission())
-        emission.light_density = static_cast<float>(pi * mean(emission.radiance) / total);
+    for (PointEmitter& point : points_) point.probability *= static_cast<float>(scale);
+    for (std::size_t i = 0; i < means.size(); ++i) ray_scene_.emission()[i].light_density = static_cast<float>(pi * means[i] * scale);
 }
 
-EmitterSample Emitters::sample(glm::dvec2 u) const {
-    const auto found = std::upper_bound(up_to_.begin(), up_to_.end() - 1, u.x);
-    const auto chosen = static_cast<std::size_t>(found - up_to_.begin());
-    if (chosen >= triangles_.size()) {
-        const PointEmitter& point = points_[chosen - triangles_.size()];
-        return {point.position, glm::vec3(0.0F), 0.0F, point.intensity, point.probability, true};
+void Emitters::add_far(const Scene& scene) {
+    double total = 0;
+    for (const DirectionalLight& light : scene.directional_lights) {
+        const double flux = mean(light.irradiance);
+        if (!(flux > 0)) continue;
+        parallel_.push_back({-light.direction, light.irradiance, static_cast<float>(flux)});
+        far_up_to_.push_back(total += flux);
     }
-    // The part of the interval that chose the triangle is used again within it.
-    const double below = chosen == 0 ? 0.0 : up_to_[chosen - 1];
-    u.x = std::min((u.x - below) / (*found - below), 0x1.fffffffffffffp-1);
+    if (scene.environment) {
+        environment_.emplace(*scene.environment);
+        if (environment_->flux() > 0)
+            far_up_to_.push_back(total += environment_->flux());
+        else
+            environment_.reset();
+    }
+    for (double& value : far_up_to_) value /= total;
+    for (FarEmitter& light : parallel_) light.probability /= static_cast<float>(total);
+    if (environment_) environment_share_ = static_cast<float>(environment_->flux() / total);
+}
+
+EmitterSample Emitters::sample(glm::dvec2 u, const glm::vec3& from) const {
+    if (far_share_ > 0) {
+        if (u.x < far_share_) return sample_far({u.x / far_share_, u.y});
+        u.x = std::min((u.x - far_share_) / (1 - far_share_), below_one);
+    }
+    const std::size_t chosen = choose(up_to_, u.x);
+    if (chosen >= triangles_.size()) return sample_point(points_[chosen - triangles_.size()], from);
     return sample_triangle(triangles_[chosen], u);
 }
 
@@ -56,7 +101,27 @@ EmitterSample Emitters::sample_triangle(std::uint32_t triangle, const glm::dvec2
     const RayTriangle& t = ray_scene_.triangles()[triangle];
     const SurfaceEmission& emission = ray_scene_.emission()[t.shape];
     const glm::vec2 b(square_to_triangle(u));
-    return {t.corner + b.x * t.edge1 + b.y * t.edge2, t.normal, t.offset, emission.radiance, emission.light_density, false};
+    const glm::vec3 radiance = emission.texture == no_texture ? emission.radiance : ray_scene_.emitted(triangle, b.x, b.y);
+    return {t.corner + b.x * t.edge1 + b.y * t.edge2, t.normal, t.offset, radiance, emission.light_density};
+}
+
+EmitterSample Emitters::sample_point(const PointEmitter& point, const glm::vec3& from) const {
+    glm::vec3 intensity = point.intensity;
+    if (point.shaped != nullptr) {
+        const glm::dvec3 direction = glm::normalize(point.to_local * glm::dvec3(from - point.position));
+        intensity *= static_cast<float>(lamp_factor(*point.shaped, profiles_, direction));
+    }
+    return {point.position, glm::vec3(0.0F), 0.0F, intensity, point.probability, true};
+}
+
+EmitterSample Emitters::sample_far(glm::dvec2 u) const {
+    const std::size_t chosen = choose(far_up_to_, u.x);
+    if (chosen < parallel_.size()) {
+        const FarEmitter& light = parallel_[chosen];
+        return {light.direction, glm::vec3(0.0F), 0.0F, light.irradiance, light.probability * static_cast<float>(far_share_), true, true};
+    }
+    const EnvironmentLight::Sample s = environment_->sample(u);
+    return {s.direction, glm::vec3(0.0F), 0.0F, s.radiance, s.density * environment_share_, false, true};
 }
 
 }  // namespace pencil

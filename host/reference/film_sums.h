@@ -9,12 +9,6 @@
 
 namespace pencil {
 
-/// What the first surfaces of some samples of a pixel look like, each times its filter weight.
-struct SurfaceSums {
-    glm::vec3 albedo{0.0F}, normal{0.0F}, position{0.0F};  // position [scene units]
-    float weight = 0;
-};
-
 /// Samples come in sets: within one they are stratified together, two are independent. The variance is estimated between sets. Different
 /// pixels may be changed by different threads.
 class FilmSums {

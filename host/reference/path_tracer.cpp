@@ -40,8 +40,10 @@ std::vector<Tile> make_tiles(int width, int height) {
 }
 
 ReferenceOptions resolved(ReferenceOptions options, const Scene& scene) {
-    if (options.width <= 0) options.width = scene.sensor.width;
-    if (options.height <= 0) options.height = scene.sensor.height;
+    const PerspectiveSensor& sensor = scene.sensor;
+    const bool crop = sensor.crop_width > 0 && sensor.crop_height > 0;
+    if (options.width <= 0) options.width = crop ? sensor.crop_width : sensor.width;
+    if (options.height <= 0) options.height = crop ? sensor.crop_height : sensor.height;
     if (options.max_depth == depth_of_scene) options.max_depth = scene.max_depth;
     if (options.max_depth == 0 || options.max_depth < -1) throw UsageError("the depth of paths must be -1 or at least 1");
     if (options.seconds <= 0 && options.spp < 1) throw UsageError("at least one path per pixel is needed");
@@ -137,22 +139,9 @@ private:
         const std::uint64_t seed = mix_bits(mix_bits(mix_bits(options_.seed) + static_cast<std::uint64_t>(pass.set)) ^ index(x, y));
         for (int s = 0; s < pass.samples; ++s) {
             Sampler sampler(seed, static_cast<std::uint32_t>(pass.first + s));
-            const CameraRays::Sample camera = camera_.sample(x, y, sampler.next_2d());
-            RayHit hit;
-            ++paths.rays;
-            if (!camera.meets || !scene_.intersect(camera.ray, hit)) continue;
-            if (options_.surfaces) add_surface(camera.ray, hit, camera.weight, surfaces);
-            integrator_.trace(camera.ray, hit, camera.weight, sampler, paths);
+            const CameraRays::Sample camera = camera_.sample(x, y, sampler);
+            integrator_.trace(camera.ray, camera.meets, camera.weight, sampler, paths, options_.surfaces ? &surfaces : nullptr);
         }
-    }
-
-    void add_surface(const Ray& ray, const RayHit& hit, float weight, SurfaceSums& sums) const {
-        const SurfaceMaterial& material = scene_.materials()[hit.material];
-        const Reflection reflection{material, hit.shading, ray.direction};
-        if (hit.front || material.two_sided) sums.albedo += weight * albedo(material, reflection.omega_o());
-        sums.normal += weight * hit.shading;
-        sums.position += weight * hit.point;
-        sums.weight += weight;
     }
 
     std::size_t index(int x, int y) const {

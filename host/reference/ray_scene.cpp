@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "reference/texture_lookup.h"
 #include "scene/split_triangle.h"
 #include "util/error.h"
 
@@ -50,10 +51,9 @@ RTCRay embree_ray(const Ray& ray) {
 
 }  // namespace
 
-RayScene::RayScene(const Scene& scene) {
-    for (const Shape& shape : scene.shapes) emission_.push_back({shape.emits ? shape.radiance : glm::vec3(0.0F), 0.0F});
-    for (const SceneMaterial& material : scene.materials)
-        materials_.push_back({material.model, material.albedo, material.two_sided, material.parameters});
+RayScene::RayScene(const Scene& scene) : surfaces_(scene) {
+    for (const Shape& shape : scene.shapes)
+        emission_.push_back({shape.emits ? shape.radiance : glm::vec3(0.0F), 0.0F, shape.radiance_texture});
     normalise(scene);
     build(add_triangles(scene));
     vertices_ = {};
@@ -77,6 +77,7 @@ void RayScene::normalise(const Scene& scene) {
 std::vector<glm::uvec3> RayScene::add_triangles(const Scene& scene) {
     std::vector<glm::uvec3> kept;
     const bool smooth = std::any_of(scene.normals.begin(), scene.normals.end(), [](const glm::vec3& n) { return n != glm::vec3(0); });
+    const bool textured = !surfaces_.plain();
     low_ = glm::dvec3(HUGE_VAL);
     high_ = glm::dvec3(-HUGE_VAL);
     kept.reserve(scene.triangles.size());
@@ -96,9 +97,14 @@ std::vector<glm::uvec3> RayScene::add_triangles(const Scene& scene) {
         }
         kept.push_back(indices);
         triangles_.push_back({corners[0], edge1, edge2, glm::normalize(normal), offset_in_ulps * size, t.shape, t.material});
-        for (std::size_t k = 0; smooth && k < 3; ++k) {
+        for (std::size_t k = 0; k < 3; ++k) {
             const glm::vec3 w(piece.weight[k]);
-            normals_.push_back(w.x * scene.normals[t.corners.x] + w.y * scene.normals[t.corners.y] + w.z * scene.normals[t.corners.z]);
+            const auto at_corner = [&](const auto& values) {
+                return w.x * values[t.corners.x] + w.y * values[t.corners.y] + w.z * values[t.corners.z];
+            };
+            if (smooth) normals_.push_back(at_corner(scene.normals));
+            if (textured && !scene.uvs.empty()) uvs_.push_back(at_corner(scene.uvs));
+            if (textured && !scene.colours.empty()) colours_.push_back(at_corner(scene.colours));
         }
     };
     for (const Triangle3& t : scene.triangles) {
@@ -163,6 +169,9 @@ bool RayScene::intersect(const Ray& ray, RayHit& hit) const {
     hit.offset = t.offset;
     hit.shape = t.shape;
     hit.material = t.material;
+    hit.triangle = query.hit.primID;
+    hit.u = u;
+    hit.v = v;
     return true;
 }
 
@@ -173,6 +182,30 @@ bool RayScene::occluded(const Ray& ray) const {
     rtcInitIntersectContext(&context);
     rtcOccluded1(bvh_.get(), &context, &query);
     return query.tfar < 0.0F;
+}
+
+TexturePoint RayScene::texture_point(std::uint32_t triangle, float u, float v) const {
+    TexturePoint point;
+    const std::size_t first = std::size_t{3} * triangle;
+    const float w = 1.0F - u - v;
+    if (!colours_.empty()) point.colour = w * colours_[first] + u * colours_[first + 1] + v * colours_[first + 2];
+    if (uvs_.empty()) return point;
+    point.uv = w * uvs_[first] + u * uvs_[first + 1] + v * uvs_[first + 2];
+    // The point is linear in the barycentric coordinates, and so is (u, v); a degenerate map has no slope.
+    const RayTriangle& t = triangles_[triangle];
+    const glm::vec2 a = uvs_[first + 1] - uvs_[first], b = uvs_[first + 2] - uvs_[first];
+    const float determinant = a.x * b.y - a.y * b.x;
+    if (determinant == 0.0F) return point;
+    point.dp_du = (b.y * t.edge1 - a.y * t.edge2) / determinant;
+    point.dp_dv = (a.x * t.edge2 - b.x * t.edge1) / determinant;
+    return point;
+}
+
+glm::vec3 RayScene::emitted(std::uint32_t triangle, float u, float v) const {
+    const SurfaceEmission& emission = emission_[triangles_[triangle].shape];
+    if (emission.texture == no_texture) return emission.radiance;
+    const TexturePoint point = texture_point(triangle, u, v);
+    return emission.radiance * glm::vec3(look_up(surfaces_.texture(emission.texture), point.uv, point.colour));
 }
 
 glm::vec3 RayScene::shading_normal(std::uint32_t triangle, float u, float v, const RayHit& hit) const {

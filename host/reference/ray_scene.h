@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "reference/brdf.h"
+#include "reference/surface_table.h"
 #include "scene/scene.h"
 
 namespace pencil {
@@ -23,7 +23,8 @@ struct Ray {
 /// What a shape emits, to the front.
 struct SurfaceEmission {
     glm::vec3 radiance{0.0F};
-    float light_density = 0;  // of light sampling: probability per area of this shape [1 / scene units^2]
+    float light_density = 0;   // of light sampling: probability per area of this shape [1 / scene units^2]
+    int texture = no_texture;  // times radiance
 };
 
 struct RayHit {
@@ -34,6 +35,8 @@ struct RayHit {
     float offset;       // along `normal`: further than the rounding error of `point`
     std::uint32_t shape, material;
     bool front;
+    std::uint32_t triangle;
+    float u, v;  // weights of its second and third corner
 };
 
 /// A triangle whose corners are rounded to single precision in scene units.
@@ -46,7 +49,8 @@ struct RayTriangle {
 
 class RayScene {
 public:
-    /// Builds the BVH on all cores. Triangles that vanish in single precision are left out. MemoryError if Embree cannot get memory.
+    /// Builds the BVH on all cores. The scene must outlive this. Triangles that vanish in single precision are left out. MemoryError if Embree
+    /// cannot get memory.
     explicit RayScene(const Scene& scene);
 
     /// The nearest triangle that the ray meets beyond its origin. Rays that are not finite meet nothing.
@@ -57,7 +61,12 @@ public:
     const std::vector<RayTriangle>& triangles() const { return triangles_; }
     std::vector<SurfaceEmission>& emission() { return emission_; }  // one per shape
     const std::vector<SurfaceEmission>& emission() const { return emission_; }
-    const std::vector<SurfaceMaterial>& materials() const { return materials_; }  // those of the scene
+    const SurfaceTable& surfaces() const { return surfaces_; }
+    /// Texture coordinates and the like at a hit point.
+    TexturePoint texture_point(const RayHit& hit) const { return texture_point(hit.triangle, hit.u, hit.v); }
+    TexturePoint texture_point(std::uint32_t triangle, float u, float v) const;
+    /// Radiance of the front at a place of a triangle.
+    glm::vec3 emitted(std::uint32_t triangle, float u, float v) const;
 
     glm::dvec3 to_scene(const glm::dvec3& world) const { return (world - centre_) / scale_; }
     glm::dvec3 to_world(const glm::dvec3& point) const { return centre_ + point * scale_; }
@@ -82,7 +91,9 @@ private:
     std::vector<RayTriangle> triangles_;
     std::vector<glm::vec3> normals_;  // three per triangle, empty if no shape has vertex normals
     std::vector<SurfaceEmission> emission_;
-    std::vector<SurfaceMaterial> materials_;
+    std::vector<glm::vec2> uvs_;      // three per triangle, empty if nothing asks for them
+    std::vector<glm::vec3> colours_;  // three per triangle, empty if no shape has any
+    SurfaceTable surfaces_;
     std::unique_ptr<std::remove_pointer_t<RTCDevice>, Release> device_;
     std::unique_ptr<std::remove_pointer_t<RTCScene>, Release> bvh_;
 };
