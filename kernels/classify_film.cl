@@ -1,6 +1,7 @@
 // Groups the visibility samples of each pixel into surfels: a pixel is shaded once per surface that it shows, and antialiased over all
 // of its samples. Interior pixels have one surfel, edges a few.
 
+#include "lib/camera_ray.cl"
 #include "shared/camera.h"
 #include "shared/film.h"
 #include "shared/geometry.h"
@@ -10,14 +11,14 @@
 #define JOIN_COSINE 0.98f
 #define JOIN_SLOPE 0.25f
 
-static inline bool joins(Hit a, Hit b, float4 da, float4 db, global const Triangle *triangles, global const float4 *planes) {
+static inline bool joins(Hit a, Hit b, CameraRay ra, CameraRay rb, global const Triangle *triangles, global const float4 *planes) {
     global const Triangle *ta = triangles + a.triangle;
     global const Triangle *tb = triangles + b.triangle;
     if (ta->plane == tb->plane) return true;
     if (ta->shape != tb->shape || ta->material != tb->material) return false;
     float3 na = planes[ta->plane].xyz;
     if (dot(na, planes[tb->plane].xyz) < JOIN_COSINE) return false;
-    float3 offset = (da / a.disparity - db / b.disparity).xyz;
+    float3 offset = (ra.direction / a.disparity - rb.direction / b.disparity + (ra.origin - rb.origin)).xyz;
     return fabs(dot(na, offset)) <= JOIN_SLOPE * length(offset);
 }
 
@@ -41,11 +42,9 @@ kernel void classify_film(global const Hit *hits, Camera camera, global const fl
         if (hit.triangle < 0) {
             empty = FILM_HAS_EMPTY;
         } else {
-            float2 p = corner + offsets[s];
-            float4 d = camera.corner + p.x * camera.step_x + p.y * camera.step_y;
+            CameraRay d = camera_ray(&camera, corner + offsets[s], offsets, s, sample_count);
             for (slot = 0; slot < count; ++slot) {
-                float2 q = corner + offsets[leader[slot]];
-                float4 e = camera.corner + q.x * camera.step_x + q.y * camera.step_y;
+                CameraRay e = camera_ray(&camera, corner + offsets[leader[slot]], offsets, leader[slot], sample_count);
                 if (joins(hits[leader[slot] * image + item], hit, e, d, triangles, planes)) break;
             }
             if (slot == count) leader[count++] = (uchar)s;

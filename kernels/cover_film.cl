@@ -5,6 +5,7 @@
 #include "lib/surface_pencil.cl"
 #include "shared/film.h"
 #include "shared/surface_pencil.h"
+#include "shared/surfel.h"
 
 /// launch : 1-D, one work-item per pixel
 /// in     : surfels of the film with their numbering; pencil_at[pixel]: film pencil of a pixel, -1: none; coarsest: largest spacing
@@ -18,6 +19,12 @@ kernel void cover_film(global const float *surfels, int capacity, global const u
     int2 at = (int2)(pixel % width, pixel / width);
     for (int i = first_surfel[pixel]; i < first_surfel[pixel] + (counts[pixel] & FILM_COUNT_MASK); ++i) {
         if (!uncovered[i]) continue;
+        global const float *s = surfels + i;
+        size_t c = capacity;
+        if (PENCIL_LOBES && !(s[SURFEL_ALBEDO_R * c] + s[SURFEL_ALBEDO_G * c] + s[SURFEL_ALBEDO_B * c] > 0.0f)) {
+            uncovered[i] = 0;  // mirrors, metal and glass reflect no irradiance
+            continue;
+        }
         SurfacePoint point = surface_point(surfels, capacity, i);
         float least = INFINITY;
         for (int spacing = coarsest; spacing >= finest && least > most_error; spacing /= 2)

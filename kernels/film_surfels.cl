@@ -2,6 +2,7 @@
 // their middle, which is the best that one point can say. Of many images each takes another: their mean is the mean over the pixel, while
 // middles would only ever show middles, however small a bright spot is.
 
+#include "lib/camera_ray.cl"
 #include "lib/hash.cl"
 #include "lib/surfel.cl"
 #include "shared/camera.h"
@@ -46,20 +47,19 @@ static inline int drawn_sample(global const uchar *slot, int sample_count, int k
 /// out    : surfels
 kernel void film_surfels(global const Hit *hits, Camera camera, global const float2 *offsets, int sample_count, int first_row,
                          int row_count, uint seed, uint shift, global const uchar *slots, global const uchar *counts,
-                         global const int *first_surfel, global const Triangle *triangles, global const float4 *planes,
-                         global const Material *materials, global const float4 *normals, global float *surfels, int capacity) {
+                         global const int *first_surfel, SURFACES_PARAMETERS, global float *surfels, int capacity) {
     int item = get_global_id(0);
     if (item >= row_count * camera.width) return;
     float2 corner = (float2)(item % camera.width, first_row + item / camera.width);
     size_t pixel = (size_t)first_row * camera.width + item;
     size_t image = (size_t)row_count * camera.width;
     global const uchar *slot = slots + pixel * sample_count;
+    Surfaces scene = SURFACES;
     for (int k = 0; k < (counts[pixel] & FILM_COUNT_MASK); ++k) {
-        int s = seed == 0 ? middle_sample(offsets, slot, sample_count, k)
-                          : drawn_sample(slot, sample_count, k, hash_uint(seed ^ hash_uint((uint)pixel * PENCIL_FILM_SAMPLES + k)) + shift);
-        float2 p = corner + offsets[s];
-        float4 d = camera.corner + p.x * camera.step_x + p.y * camera.step_y;
-        write_surfel(surfels, capacity, first_surfel[pixel] + k, hits[s * image + item], (float4)(camera.origin.xyz, 0.0f),
-                     (float4)(d.xyz, 0.0f), triangles, planes, materials, normals);
+        uint bits = hash_uint(seed ^ hash_uint((uint)pixel * PENCIL_FILM_SAMPLES + k)) + shift;
+        int s = seed == 0 ? middle_sample(offsets, slot, sample_count, k) : drawn_sample(slot, sample_count, k, bits);
+        CameraRay ray = camera_ray(&camera, corner + offsets[s], offsets, s, sample_count);
+        write_surfel(surfels, capacity, first_surfel[pixel] + k, hits[s * image + item], ray.origin, ray.direction, &scene,
+                     hash_uint(bits));
     }
 }

@@ -8,14 +8,14 @@
 /// launch : 1-D, one work-item per texel of `tile_count` tiles; surfels of a tile in the order of oct_surfel_texel
 /// in     : hits, cops, scene
 /// out    : surfels, structure of arrays of `capacity`
-kernel void gather_surfels(global const Hit *hits, global const float4 *cops, int first_tile, int tile_count, int n,
-                           global const Triangle *triangles, global const float4 *planes, global const Material *materials,
-                           global const float4 *normals, global float *surfels, int capacity) {
+kernel void gather_surfels(global const Hit *hits, global const float4 *cops, int first_tile, int tile_count, int n, SURFACES_PARAMETERS,
+                           global float *surfels, int capacity) {
     int item = get_global_id(0);
     if (item >= tile_count * n * n) return;
     int tile = first_tile + item / (n * n);
     int2 texel = oct_surfel_texel(item % (n * n), n);
     float4 cop = (float4)(cops[tile].xyz, 0.0f);
-    write_surfel(surfels, capacity, item, hits[oct_atlas_index(tile, texel, n)], cop, oct_texel_direction(texel, n), triangles, planes,
-                 materials, normals);
+    Surfaces scene = SURFACES;
+    write_surfel(surfels, capacity, item, hits[oct_atlas_index(tile, texel, n)], cop, oct_texel_direction(texel, n), &scene,
+                 hash_uint(hash_uint((uint)tile) + (uint)item));
 }

@@ -12,18 +12,19 @@
 /// Aims one packet at sample i; the weight is the geometry term.
 static inline void aim_at_sample(const SurfelPacket *s, const VisibilityMap *map, global const LightSample *sample, float4 cop, int i,
                                  Aimed *aimed) {
-    vfloat vx = s->x - cop.x, vy = s->y - cop.y, vz = s->z - cop.z;
-    aimed->weight = sample_weight(s, sample, vx, vy, vz);
+    vfloat vx, vy, vz;
+    sample_to_surfels(s, sample, &vx, &vy, &vz);
+    aimed->weight = sample_weight(s, sample, vx, vy, vz, map->scene->bitmaps);
     aimed->faces = PACKET_BITS(PACKET_MASK(aimed->weight > 0.0f));
     if (aimed->faces) aim_packet(map, i, vx, vy, vz, aimed);
 }
 
 /// Irradiance of one packet from sample i, added to rgb.
-static inline void add_light_sample(const SurfelPacket *s, const VisibilityMap *map, float4 emission, float4 cop, int i, const Aimed *aimed,
-                                    vfloat *rgb) {
-    int lit = packet_visible(s, map, aimed, i, cop);
-    if (!lit) return;
-    vfloat weight = select((vfloat)(0.0f), aimed->weight, PACKET_FROM_BITS(lit));
+static inline void add_light_sample(const SurfelPacket *s, const VisibilityMap *map, global const LightSample *sample, int i,
+                                    const Aimed *aimed, vfloat *rgb) {
+    float4 emission = sample->emission;
+    if (!aimed->faces) return;
+    vfloat weight = aimed->weight * sample_share(s, map, aimed, i, sample);
     rgb[0] = fma(weight, (vfloat)(emission.x), rgb[0]);
     rgb[1] = fma(weight, (vfloat)(emission.y), rgb[1]);
     rgb[2] = fma(weight, (vfloat)(emission.z), rgb[2]);
@@ -36,11 +37,12 @@ static inline void add_light_sample(const SurfelPacket *s, const VisibilityMap *
 /// out    : outgoing[3][capacity] [W m^-2 sr^-1], added to if `accumulate`
 kernel void light_surfels(global const float *surfels, int capacity, int surfel_count, global const LightSample *samples, int sample_count,
                           global const float4 *cops, global const int2 *cells, global const int4 *groups, global const Hit *hits,
-                          global const Triangle *triangles, global const float4 *planes, int n, global const BvhNode *nodes,
-                          global const int *leaves, global float *outgoing, int accumulate) {
+                          SURFACES_PARAMETERS, int n, global const BvhNode *nodes, global const int *leaves, global float *outgoing,
+                          int accumulate) {
     int first = get_global_id(0) * PENCIL_BLOCK * PENCIL_WIDTH;
     if (first >= surfel_count) return;
-    VisibilityMap map = {cells, groups, hits, triangles, planes, n, nodes, leaves};
+    Surfaces scene = SURFACES;
+    VisibilityMap map = {cells, groups, hits, triangles, planes, n, nodes, leaves, &scene};
     SurfelPacket packets[PENCIL_BLOCK];
     vfloat rgb[PENCIL_BLOCK][3];
     for (int p = 0; p < PENCIL_BLOCK; ++p) {
@@ -51,7 +53,7 @@ kernel void light_surfels(global const float *surfels, int capacity, int surfel_
         float4 cop = (float4)(cops[i].xyz, 0.0f);
         Aimed aimed[PENCIL_BLOCK];
         for (int p = 0; p < PENCIL_BLOCK; ++p) aim_at_sample(packets + p, &map, samples + i, cop, i, aimed + p);
-        for (int p = 0; p < PENCIL_BLOCK; ++p) add_light_sample(packets + p, &map, samples[i].emission, cop, i, aimed + p, rgb[p]);
+        for (int p = 0; p < PENCIL_BLOCK; ++p) add_light_sample(packets + p, &map, samples + i, i, aimed + p, rgb[p]);
     }
     for (int p = 0; p < PENCIL_BLOCK; ++p)
         scatter_irradiance(surfels, capacity, first + p * PENCIL_WIDTH, rgb[p][0], rgb[p][1], rgb[p][2], outgoing, accumulate);

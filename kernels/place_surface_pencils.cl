@@ -22,6 +22,8 @@ kernel void place_surface_pencils(global const float *surfels, int capacity, glo
     global SurfacePencil *pencil = pencils + first + item;
     size_t c = capacity;
     float3 x = (float3)(s[SURFEL_X * c], s[SURFEL_Y * c], s[SURFEL_Z * c]), towards = views[item].xyz - x;
+    // Seen through mirrors and glass: the side it was seen from is not the viewer's.
+    if (PENCIL_OUTGOING) towards = length(towards) * (float3)(s[SURFEL_OX * c], s[SURFEL_OY * c], s[SURFEL_OZ * c]);
     float nearer = PLACE_NEARER * position_error(x);
     pencil->position = (float4)(x + towards * fmin(nearer / fmax(length(towards), nearer), PLACE_SHARE), 0.0f);
     pencil->normal = (float4)(s[SURFEL_NX * c], s[SURFEL_NY * c], s[SURFEL_NZ * c], views[item].w);

@@ -6,10 +6,11 @@
 /// in     : values, fields first_field .. first_field + 2 of [field][capacity]; slots, counts, first_surfel; weights[(2 reach + 1)^2 *
 /// sample_count]: the filter at each sample of each
 ///          neighbour, row by row; totals[(2 reach + 1)^2]: sums over the samples of a neighbour
+///          background[pixel * 3 + channel], if has_background: what samples show that show no surface
 /// out    : image[pixel * 3 + channel]
 kernel void resolve_film(global const float *values, int first_field, int capacity, global const uchar *slots, global const uchar *counts,
                          global const int *first_surfel, global const float *weights, global const float *totals, int reach,
-                         int sample_count, int width, int height, global float *image) {
+                         int sample_count, int width, int height, global const float *background, int has_background, global float *image) {
     int pixel = get_global_id(0);
     if (pixel >= width * height) return;
     int2 centre = (int2)(pixel % width, pixel / width);
@@ -32,6 +33,8 @@ kernel void resolve_film(global const float *values, int first_field, int capaci
                 if (slot[s] != NO_SURFEL)
                     sum += weights[cell * sample_count + s] *
                            (float3)(v[slot[s]], v[(size_t)capacity + slot[s]], v[2 * (size_t)capacity + slot[s]]);
+                else if (has_background)
+                    sum += weights[cell * sample_count + s] * vload3(other, background);
         }
     vstore3(norm > 0.0f ? sum / norm : (float3)(0.0f), pixel, image);
 }

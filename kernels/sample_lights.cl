@@ -3,6 +3,7 @@
 
 #include "lib/hash.cl"
 #include "lib/light_sample.cl"
+#include "lib/lobe_light.cl"
 #include "lib/packet.cl"
 #include "lib/packet_visibility.cl"
 #include "lib/surfel_packet.cl"
@@ -14,45 +15,85 @@
 /// Samples come in groups: a point of a triangle and its two rotations among the corners (pencils/light_samples.cpp).
 #define LIGHT_GROUP 3
 
-/// What sample i would send to a packet: the sum over its surfels.
-static inline float sample_importance(const SurfelPacket *s, global const LightSample *sample) {
-    float4 cop = sample->position, e = sample->emission;
-    return packet_sum(sample_weight(s, sample, s->x - cop.x, s->y - cop.y, s->z - cop.z)) * (e.x + e.y + e.z);
+/// What sample i would send to a packet: the sum over its surfels; those of `passes` take light from behind, too.
+static inline float sample_importance(const SurfelPacket *s, global const LightSample *sample, vint passes, global const half *tables) {
+    float4 e = sample->emission;
+    vfloat vx, vy, vz;
+    sample_to_surfels(s, sample, &vx, &vy, &vz);
+#if PENCIL_LOBES
+    SurfelPacket turned = turned_to(s, passes, vx, vy, vz);
+    s = &turned;
+#endif
+    return packet_sum(sample_weight(s, sample, vx, vy, vz, tables)) * (e.x + e.y + e.z);
+}
+
+/// Samples that a packet considers: every alone_step-th of the first `alone`, then every so many-th group.
+typedef struct Candidates {
+    int alone, alone_step;
+    int begin, skip;  // first sample of the groups; samples between two of them
+} Candidates;
+
+static inline int next_candidate(const Candidates *c, int i) {
+    if (i < c->alone) return i + c->alone_step < c->alone ? i + c->alone_step : c->begin;
+    return (i - c->alone) % LIGHT_GROUP < LIGHT_GROUP - 1 ? i + 1 : i + 1 + c->skip;
 }
 
 /// launch : 1-D, one work-item per packet of PENCIL_WIDTH surfels
-/// in     : surfels; samples[sample_count], of which packets consider every stride-th group from a random start; draws: samples that a
-/// packet takes, repetitions included in/out : outgoing[3][capacity] [W m^-2 sr^-1], an unbiased estimate of light_surfels' result is added
+/// in     : surfels; samples[sample_count]: `alone` that are each a light of its own, of which packets consider every alone_step-th, and those
+///          of wide lights, every stride-th group, each from a random start; area_factor: see lobe_light.cl; draws: samples that a packet
+///          takes, repetitions included
+/// in/out : outgoing[3][capacity] [W m^-2 sr^-1], an unbiased estimate of light_surfels' result is added
 kernel void sample_lights(global const float *surfels, int capacity, int surfel_count, global const LightSample *samples, int sample_count,
-                          global const Triangle *triangles, global const float4 *planes, global const BvhNode *nodes,
-                          global const int *leaves, int stride, int draws, uint seed, global float *outgoing) {
+                          global const BvhNode *nodes, global const int *leaves, SURFACES_PARAMETERS, float area_factor, int alone,
+                          int alone_step, int stride, int draws, uint seed, global float *outgoing) {
     int first = get_global_id(0) * PENCIL_WIDTH;
     if (first >= surfel_count) return;
-    VisibilityMap map = {0, 0, 0, triangles, planes, 0, nodes, leaves};
+    Surfaces scene = SURFACES;
+    VisibilityMap map = {0, 0, 0, triangles, planes, 0, nodes, leaves, &scene};
     SurfelPacket s = load_surfels(surfels, capacity, first);
     uint bits = hash_uint((uint)(first / PENCIL_WIDTH) ^ seed);
-    int start = LIGHT_GROUP * (bits % (uint)stride), step = LIGHT_GROUP * stride;
+    Candidates c = {alone, alone_step, alone + LIGHT_GROUP * (int)(bits % (uint)stride), LIGHT_GROUP * (stride - 1)};
+    int start = (int)(hash_uint(bits ^ 0x9e3779b9u) % (uint)alone_step);
+    start = start < alone ? start : c.begin;
+    vint passes = 0;
+#if PENCIL_LOBES
+    float lobes[3][PENCIL_WIDTH] = {{0.0f}};
+    int has_lobes = lanes_with_lobes(surfels, capacity, first, materials);
+    passes = lanes_that_pass(surfels, capacity, first, materials, has_lobes);
+#endif
     float total = 0.0f;
-    for (int group = start; group < sample_count; group += step)
-        for (int i = group; i < min(group + LIGHT_GROUP, sample_count); ++i) total += sample_importance(&s, samples + i);
+    for (int i = start; i < sample_count; i = next_candidate(&c, i))
+        total += sample_importance(&s, samples + i, passes, bitmaps) * (i < alone ? alone_step : stride);
     if (!(total > 0.0f)) return;
     // Systematic resampling: draws at equal steps of the running sum, from a random first.
     float interval = total / draws, next = interval * (hash_uint(bits) >> UNIT_SHIFT) * UNIT_STEP, sum = 0.0f;
     vfloat r = 0.0f, g = 0.0f, b = 0.0f;
-    for (int group = start; group < sample_count; group += step)
-        for (int i = group; i < min(group + LIGHT_GROUP, sample_count); ++i) {
-            float importance = sample_importance(&s, samples + i);
-            sum += importance;
-            int drawn = 0;
-            for (; next < sum; next += interval) ++drawn;
-            if (!drawn) continue;
-            float4 cop = (float4)(samples[i].position.xyz, 0.0f), e = samples[i].emission * (drawn * interval / importance * stride);
-            vfloat weight = sample_weight(&s, samples + i, s.x - cop.x, s.y - cop.y, s.z - cop.z);
-            int lit = settle_by_rays(&s, &map, cop, PACKET_BITS(PACKET_MASK(weight > 0.0f)));
-            weight = select((vfloat)(0.0f), weight, PACKET_FROM_BITS(lit));
-            r = fma(weight, (vfloat)(e.x), r);
-            g = fma(weight, (vfloat)(e.y), g);
-            b = fma(weight, (vfloat)(e.z), b);
-        }
+    for (int i = start; i < sample_count; i = next_candidate(&c, i)) {
+        float importance = sample_importance(&s, samples + i, passes, bitmaps) * (i < alone ? alone_step : stride);
+        sum += importance;
+        int drawn = 0;
+        for (; next < sum; next += interval) ++drawn;
+        if (!drawn) continue;
+        float4 e = samples[i].emission * (drawn * interval / importance * (i < alone ? alone_step : stride));
+        vfloat vx, vy, vz;
+        sample_to_surfels(&s, samples + i, &vx, &vy, &vz);
+        vfloat weight = sample_weight(&s, samples + i, vx, vy, vz, bitmaps);
+        vint facing = PACKET_MASK(weight > 0.0f);
+#if PENCIL_LOBES
+        SurfelPacket turned = turned_to(&s, passes, vx, vy, vz);
+        facing |= PACKET_MASK(sample_weight(&turned, samples + i, vx, vy, vz, bitmaps) > 0.0f);
+#endif
+        vfloat share = sample_share_by_rays(&s, &map, samples + i, PACKET_BITS(facing));
+#if PENCIL_LOBES
+        add_lobes(lobes, has_lobes, share, samples + i, surfels, capacity, first, materials, bitmaps, e, area_factor);
+#endif
+        weight *= share;
+        r = fma(weight, (vfloat)(e.x), r);
+        g = fma(weight, (vfloat)(e.y), g);
+        b = fma(weight, (vfloat)(e.z), b);
+    }
     scatter_irradiance(surfels, capacity, first, r, g, b, outgoing, 1);
+#if PENCIL_LOBES
+    store_rgb(outgoing, capacity, first, PACKET_LOAD(lobes[0]), PACKET_LOAD(lobes[1]), PACKET_LOAD(lobes[2]), 1);
+#endif
 }

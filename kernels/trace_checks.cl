@@ -2,11 +2,14 @@
 // vertex lit by one sample of the emitters and by what its own ray meets, combined by the balance heuristic (Veach 1997, 9.2), ended by
 // Russian roulette without a bound below 1.
 
-#include "lib/brdf.cl"
+#include "lib/bsdf.cl"
 #include "lib/hash.cl"
 #include "lib/hemisphere.cl"
+#include "lib/light_profile.cl"
 #include "lib/packet.cl"
 #include "lib/rays.cl"
+#include "lib/shadow.cl"
+#include "lib/sky.cl"
 #include "lib/surfel.cl"
 #include "shared/emitter.h"
 #include "shared/surfel.h"
@@ -20,13 +23,23 @@
 
 /// One path: where it is, what it carries.
 typedef struct CheckPath {
-    float3 position, normal, facing;  // shading and geometric normal of the side that was met
-    float3 throughput;                // with the albedo of this vertex; 0: it has ended
+    Vertex at;
+    float3 throughput;  // without the scattering at this vertex; 0: it has ended
     float3 sum;
-    int plane;
     uint bits;
-    float cosine;  // of the ray to here at its origin: its density times pi
+    float3 from;  // the last vertex that turned the path
+    float pdf;    // of the ray from there per solid angle [1/sr]; 0: of a lobe without width
 } CheckPath;
+
+/// Emitters that paths choose from.
+typedef struct CheckLights {
+    global const Emitter *emitters;
+    int count;
+    float power;     // luminance of radiance times area, all of them [scene units^2]
+    float sky_area;  // that a texel of the sky counts with
+    global const Sky *sky;
+    global const float4 *sky_texels;
+} CheckLights;
 
 /// As luminance of image/colour.h: emitters are chosen by it.
 static inline float emitter_luminance(float3 radiance) { return dot(radiance, (float3)(0.2126f, 0.7152f, 0.0722f)); }
@@ -36,18 +49,61 @@ static inline float check_random(CheckPath *p) {
     return (p->bits >> UNIT_SHIFT) * UNIT_STEP;
 }
 
-/// At the surfel that a path starts on, with what that emits.
-static inline CheckPath begin_path(global const float *surfels, size_t capacity, int surfel, uint bits) {
-    CheckPath p = {(float3)(0.0f), (float3)(0.0f), (float3)(0.0f), (float3)(0.0f), (float3)(0.0f), -1, bits, 0.0f};
-    if (surfel < 0) return p;
-    global const float *s = surfels + surfel;
-    p.plane = as_int(s[SURFEL_PLANE * capacity]);
-    if (p.plane < 0) return p;
-    p.position = (float3)(s[SURFEL_X * capacity], s[SURFEL_Y * capacity], s[SURFEL_Z * capacity]);
-    p.normal = (float3)(s[SURFEL_NX * capacity], s[SURFEL_NY * capacity], s[SURFEL_NZ * capacity]);
-    p.facing = (float3)(s[SURFEL_GX * capacity], s[SURFEL_GY * capacity], s[SURFEL_GZ * capacity]);
-    p.throughput = (float3)(s[SURFEL_ALBEDO_R * capacity], s[SURFEL_ALBEDO_G * capacity], s[SURFEL_ALBEDO_B * capacity]);
+static inline float largest_of(float3 v) { return fmax(v.x, fmax(v.y, v.z)); }
+
+/// At the surfel that a path starts on.
+static inline CheckPath begin_path(global const float *surfels, size_t capacity, int surfel, global const Material *materials,
+                                   global const half *tables, uint bits) {
+    CheckPath p;
+    p.throughput = p.sum = p.from = (float3)(0.0f);
+    p.bits = bits;
+    p.pdf = 0.0f;
+    p.at = meet_nothing((float3)(0.0f, 0.0f, 1.0f));
+    if (surfel < 0 || as_int(surfels[SURFEL_PLANE * capacity + surfel]) < 0) return p;
+    p.throughput = (float3)(1.0f);
+    if (PENCIL_LOBES) {
+        p.at = load_vertex(surfels, capacity, surfel, materials, tables);
+        return p;
+    }
+    p.at.x = surfel_vector(surfels, capacity, surfel, SURFEL_X);
+    p.at.n = p.at.o = surfel_vector(surfels, capacity, surfel, SURFEL_NX);
+    p.at.g = surfel_vector(surfels, capacity, surfel, SURFEL_GX);
+    p.at.albedo = surfel_vector(surfels, capacity, surfel, SURFEL_ALBEDO_R);
+    p.at.plane = as_int(surfels[SURFEL_PLANE * capacity + surfel]);
     return p;
+}
+
+/// Axes of the local frame of a vertex (bsdf.cl): omega_o lies over the first.
+static inline void vertex_frame(const Vertex *v, float3 *t, float3 *b) {
+    float3 across = v->o - dot(v->n, v->o) * v->n;
+    float width = PENCIL_LOBES ? length(across) : 0.0f;
+    if (!(width > 1e-6f)) {
+        tangent_frame(v->n, t, b);
+        return;
+    }
+    *t = across / width;
+    *b = cross(v->n, *t);
+}
+
+/// Chance with which a direction is drawn for the base of a vertex.
+static inline float base_chance(const Vertex *v) {
+    if (!PENCIL_LOBES || v->bsdf.model == MATERIAL_DIFFUSE) return 1.0f;
+    float base = largest_of(v->albedo), lobes = largest_of(bsdf_share(&v->bsdf, seen_from(v->n, v->o)));
+    return base + lobes > 0.0f ? base / (base + lobes) : 1.0f;
+}
+
+/// Scattering from a unit direction, times the cosine, and the density with which next_direction draws it.
+static inline float3 scatter_from(const Vertex *v, float3 direction, float *density) {
+    float cosine = dot(v->n, direction), up = fmax(cosine, 0.0f) * M_1_PI_F, chance = base_chance(v);
+    *density = chance * up;
+    bool above = dot(v->g, direction) > 0.0f;
+    if (!PENCIL_LOBES || v->bsdf.model == MATERIAL_DIFFUSE) return above ? v->albedo * up : (float3)(0.0f);
+    float3 t, b, omega_o = seen_from(v->n, v->o);
+    vertex_frame(v, &t, &b);
+    float3 omega_i = (float3)(dot(direction, t), dot(direction, b), cosine);
+    *density += (1.0f - chance) * bsdf_pdf(&v->bsdf, omega_o, omega_i);
+    if (above != omega_i.z > 0.0f) return (float3)(0.0f);
+    return v->albedo * (up * (up > 0.0f ? bsdf_base_factor(&v->bsdf, omega_o, omega_i) : 0.0f)) + bsdf_evaluate(&v->bsdf, omega_o, omega_i);
 }
 
 /// The emitter at share u of all power.
@@ -63,74 +119,138 @@ static inline int find_emitter(global const Emitter *emitters, int count, float 
     return low;
 }
 
-/// A segment to a point of an emitter, and the radiance that the vertex reflects if nothing stands between; 0 if it sends none.
-static inline float3 aim_check(CheckPath *p, global const Emitter *emitters, int emitter_count, float power,
-                               global const Triangle *triangles, global const float4 *planes, global const Material *materials,
-                               float3 *segment) {
-    float u = check_random(p), v = check_random(p), w = check_random(p);
-    *segment = (float3)(0.0f);
-    global const Emitter *e = emitters + find_emitter(emitters, emitter_count, u);
-    if (e->triangle < 0) {
-        *segment = e->position.xyz - p->position;
-        float square = dot(*segment, *segment), cosine = dot(p->normal, *segment) * rsqrt(square);
-        if (!(cosine > 0.0f) || !(dot(p->facing, *segment) > 0.0f)) return (float3)(0.0f);
-        return p->throughput * e->emission.xyz * (cosine * M_1_PI_F / (square * e->chance));
+/// Light that an emitter sends to a vertex, if nothing stands between.
+typedef struct Aim {
+    float3 segment;    // to a point of it; infinitely far: a unit direction
+    float3 direction;  // unit
+    float3 light;      // radiance, or irradiance across the direction over its chance where density is 0; 0: it sends none
+    float density;     // of light samples per solid angle [1/sr], 0: of what rays do not find
+    bool far;
+} Aim;
+
+/// Radiance that the vertex sends back of it, by the balance heuristic.
+static inline float3 scattered_light(const CheckPath *p, const Aim *a) {
+    if (!any(a->light > 0.0f)) return (float3)(0.0f);
+    float own;
+    float3 f = p->throughput * scatter_from(&p->at, a->direction, &own);
+    return f * a->light * (a->density > 0.0f ? 1.0f / (a->density + own) : 1.0f);
+}
+
+/// Density per solid angle of light samples of the sky in a direction of this luminance [1/sr].
+static inline float sky_density(const CheckLights *lights, float luminance) {
+    return lights->power > 0.0f ? fmax(luminance - lights->sky->limit, 0.0f) * lights->sky_area / lights->power : 0.0f;
+}
+
+/// A point of a texel of the sky.
+static inline void aim_at_sky(const CheckLights *lights, global const Emitter *e, float v, float w, Aim *a) {
+    global const Sky *sky = lights->sky;
+    float high = cos(sky_edge(sky, e->row)), low = cos(sky_edge(sky, e->row + 1));
+    float z = mix(low, high, v), r = sqrt(fmax(1.0f - z * z, 0.0f)), phi = 2.0f * M_PI_F * (e->column + w) / sky->width;
+    float3 d = (float3)(r * sin(phi), z, -r * cos(phi));
+    a->segment = a->direction = d.x * sky->to_local[0].xyz + d.y * sky->to_local[1].xyz + d.z * sky->to_local[2].xyz;
+    float3 all = lights->sky_texels[(size_t)e->row * sky->width + e->column].xyz;
+    float luminance = sky_luminance(all);
+    a->light = all * (1.0f - sky->limit / luminance);
+    a->density = sky_density(lights, luminance);
+    a->far = true;
+}
+
+/// A point light, a spot, or parallel light.
+static inline void aim_at_point(float3 x, global const Emitter *e, global const half *tables, Aim *a) {
+    a->density = 0.0f;
+    if (e->triangle == EMITTER_PARALLEL) {
+        a->segment = a->direction = -e->axis.xyz;
+        a->light = e->emission.xyz / e->chance;
+        a->far = true;
+        return;
     }
-    global const Triangle *t = triangles + e->triangle;
-    float root = sqrt(v);
-    float3 at = ((1.0f - root) * t->v0 + root * (1.0f - w) * t->v1 + root * w * t->v2).xyz;
-    *segment = at - p->position;
-    float square = dot(*segment, *segment), inverse = rsqrt(square);
-    float cosine = dot(p->normal, *segment) * inverse, light_cosine = -dot(planes[t->plane].xyz, *segment) * inverse;
-    if (!(cosine > 0.0f) || !(light_cosine > 0.0f) || !(dot(p->facing, *segment) > 0.0f)) return (float3)(0.0f);
-    float4 emission = materials[t->material].emission;
-    // Densities per area, that of the ray's own direction cos cos_l / (pi r^2): the balance heuristic divides by their sum.
-    float density = emitter_luminance(emission.xyz) / power;
-    float form = cosine * light_cosine * M_1_PI_F;
-    return p->throughput * emission.xyz * (form / (density * square + form));
+    a->segment = e->position.xyz - x;
+    float square = dot(a->segment, a->segment), share = 1.0f;
+    a->direction = a->segment * rsqrt(square);
+    if (PENCIL_FAR_LIGHT && e->position.w > 0.0f) {
+        float angle = acos(clamp(-dot(e->axis.xyz, a->direction), -1.0f, 1.0f));
+        share = clamp((e->position.w - angle) / fmax(e->position.w - e->axis.w, 1e-6f), 0.0f, 1.0f);
+    }
+    if (PENCIL_FAR_LIGHT && e->position.w < 0.0f) share = profile_share(tables, (int)(-1.0f - e->position.w), e->axis.xyz, -a->direction);
+    a->light = e->emission.xyz * (share / (square * e->chance));
 }
 
-/// A cosine-distributed direction about the normal.
+/// An emitter, chosen by power, and a point of it.
+static inline Aim aim_check(CheckPath *p, const CheckLights *lights, const Surfaces *scene) {
+    float u = check_random(p), v = check_random(p), w = check_random(p);
+    Aim a = {(float3)(0.0f), (float3)(0.0f), (float3)(0.0f), 0.0f, false};
+    global const Emitter *e = lights->emitters + find_emitter(lights->emitters, lights->count, u);
+    if (PENCIL_SKY && e->triangle == EMITTER_SKY) {
+        aim_at_sky(lights, e, v, w, &a);
+    } else if (e->triangle < 0) {
+        aim_at_point(p->at.x, e, scene->bitmaps, &a);
+    } else {
+        global const Triangle *t = scene->triangles + e->triangle;
+        float root = sqrt(v);
+        a.segment = ((1.0f - root) * t->v0 + root * (1.0f - w) * t->v1 + root * w * t->v2).xyz - p->at.x;
+        float square = dot(a.segment, a.segment);
+        a.direction = a.segment * rsqrt(square);
+        float light_cosine = -dot(scene->planes[t->plane].xyz, a.direction);
+        if (!(light_cosine > 0.0f)) return a;
+        a.light = scene->materials[t->material].emission.xyz;
+        a.density = emitter_luminance(a.light) / lights->power * square / light_cosine;
+    }
+    return a;
+}
+
+/// A direction for what the vertex scatters; the throughput takes that in. 0 if the path ends.
 static inline float3 next_direction(CheckPath *p) {
-    float u = check_random(p), v = check_random(p);
-    float3 t, b;
-    tangent_frame(p->normal, &t, &b);
-    float radius = sqrt(u), phi = 2.0f * M_PI_F * v;
-    p->cosine = sqrt(1.0f - u);
-    return radius * cos(phi) * t + radius * sin(phi) * b + p->cosine * p->normal;
+    float pick = check_random(p), u = check_random(p), v = check_random(p), w = PENCIL_LOBES ? check_random(p) : 0.0f,
+          chance = base_chance(&p->at);
+    float3 t, b, direction;
+    vertex_frame(&p->at, &t, &b);
+    if (pick < chance) {
+        float radius = sqrt(u), phi = 2.0f * M_PI_F * v;
+        direction = radius * cos(phi) * t + radius * sin(phi) * b + sqrt(1.0f - u) * p->at.n;
+    } else {
+        BsdfSample s = bsdf_sample(&p->at.bsdf, seen_from(p->at.n, p->at.o), (float3)(u, v, w));
+        direction = s.omega_i.x * t + s.omega_i.y * b + s.omega_i.z * p->at.n;
+        if (PENCIL_CLEAR && goes_straight(&p->at.bsdf, &s)) {
+            p->throughput *= s.weight / (1.0f - chance);
+            return direction;
+        }
+        p->from = p->at.x;
+        if (s.pdf == 0.0f) {
+            bool agrees = dot(direction, p->at.g) * s.omega_i.z > 0.0f;
+            p->throughput *= agrees ? s.weight / (1.0f - chance) : (float3)(0.0f);
+            p->pdf = 0.0f;
+            return direction;
+        }
+    }
+    p->from = p->at.x;
+    float3 f = scatter_from(&p->at, direction, &p->pdf);
+    p->throughput *= p->pdf > 0.0f ? f / p->pdf : (float3)(0.0f);
+    return direction;
 }
 
-/// The path goes on at what its ray has met: takes its emission, and its albedo into the throughput.
-static inline void arrive(CheckPath *p, float3 direction, int triangle, float distance, float power, global const Triangle *triangles,
-                          global const float4 *planes, global const Material *materials, global const float4 *normals) {
+/// The path goes on at what its ray has met: takes its emission.
+static inline void arrive(CheckPath *p, float3 direction, int triangle, float distance, const CheckLights *lights, const Surfaces *scene) {
     if (triangle < 0) {
+        if (PENCIL_SKY) {
+            float3 all = sky_texel(lights->sky, lights->sky_texels, direction);
+            float luminance = sky_luminance(all), low = fmin(lights->sky->limit / fmax(luminance, 1e-30f), 1.0f);
+            float share = p->pdf > 0.0f ? low + (1.0f - low) * p->pdf / (p->pdf + sky_density(lights, luminance)) : 1.0f;
+            p->sum += p->throughput * all * share;
+        }
         p->throughput = (float3)(0.0f);
         return;
     }
-    global const Triangle *t = triangles + triangle;
-    global const Material *m = materials + t->material;
-    float4 plane = planes[t->plane];
-    bool front = dot(plane.xyz, direction) < 0.0f;
-    float3 emission = m->emission.xyz;
-    if (front && any(emission > 0.0f)) {
-        float density = emitter_luminance(emission) / power;
-        float form = p->cosine * -dot(plane.xyz, direction) * M_1_PI_F;
-        p->sum += p->throughput * emission * (form / (density * distance * distance + form));
+    Hit hit = {triangle, 1.0f / distance};
+    float3 emission = scene->materials[scene->triangles[triangle].material].emission.xyz;
+    float4 plane = scene->planes[scene->triangles[triangle].plane];
+    float light_cosine = -dot(plane.xyz, direction);
+    if (light_cosine > 0.0f && any(emission > 0.0f)) {
+        float3 segment = p->at.x + distance * direction - p->from;
+        float density = emitter_luminance(emission) / lights->power * dot(segment, segment) / light_cosine;
+        p->sum += p->throughput * emission * (p->pdf > 0.0f ? p->pdf / (p->pdf + density) : 1.0f);
     }
-    float4 origin = (float4)(p->position, 0.0f);
-    p->facing = front ? plane.xyz : -plane.xyz;
-    p->normal = p->facing;
-    if (PENCIL_SMOOTH) {
-        float3 w = hit_barycentric(t, origin, (float4)(direction, 0.0f));
-        global const float4 *corner = normals + 3 * triangle;
-        float3 n = w.x * corner[0].xyz + w.y * corner[1].xyz + w.z * corner[2].xyz;
-        if (dot(n, n) > 0.0f) p->normal = normalize(front ? n : -n);
-    }
-    p->position += distance * direction;
-    p->plane = t->plane;
-    float3 towards = (float3)(0.0f, 0.0f, clamp(-dot(p->normal, direction), 0.0f, 1.0f));
-    bool reflects = front || m->albedo.w != 0.0f;
-    p->throughput *= reflects ? brdf_albedo(m, towards) : (float3)(0.0f);
+    p->bits = hash_uint(p->bits);
+    p->at = meet_surface(scene, hit, (float4)(p->at.x, 0.0f), (float4)(direction, 0.0f), p->bits);
 }
 
 /// Rays from the vertices along `directions` up to `end`; none where that is below 0.
@@ -138,69 +258,80 @@ static inline LaneRays rays_of_paths(const CheckPath *paths, const float3 *direc
     float o[3][PENCIL_WIDTH], d[3][PENCIL_WIDTH];
     int own[PENCIL_WIDTH];
     for (int l = 0; l < PENCIL_WIDTH; ++l) {
-        o[0][l] = paths[l].position.x;
-        o[1][l] = paths[l].position.y;
-        o[2][l] = paths[l].position.z;
+        o[0][l] = paths[l].at.x.x;
+        o[1][l] = paths[l].at.x.y;
+        o[2][l] = paths[l].at.x.z;
         d[0][l] = directions[l].x;
         d[1][l] = directions[l].y;
         d[2][l] = directions[l].z;
-        own[l] = paths[l].plane;
+        own[l] = paths[l].at.plane;
     }
     return lane_rays(PACKET_LOAD(o[0]), PACKET_LOAD(o[1]), PACKET_LOAD(o[2]), PACKET_LOAD(d[0]), PACKET_LOAD(d[1]), PACKET_LOAD(d[2]),
                      PACKET_LOAD(own), PACKET_LOAD(end));
 }
 
 /// Light from one sample of the emitters to each path's vertex.
-static inline void light_vertices(CheckPath *paths, global const Emitter *emitters, int emitter_count, float power,
-                                  global const BvhNode *nodes, global const int *leaves, global const Triangle *triangles,
-                                  global const float4 *planes, global const Material *materials) {
+static inline void light_vertices(CheckPath *paths, const CheckLights *lights, const Surfaces *scene, global const BvhNode *nodes,
+                                  global const int *leaves) {
     float3 light[PENCIL_WIDTH], segments[PENCIL_WIDTH];
     float end[PENCIL_WIDTH];
+#pragma unroll 1
     for (int l = 0; l < PENCIL_WIDTH; ++l) {
         segments[l] = light[l] = (float3)(0.0f);
-        if (any(paths[l].throughput > 0.0f))
-            light[l] = aim_check(paths + l, emitters, emitter_count, power, triangles, planes, materials, segments + l);
-        end[l] = any(light[l] > 0.0f) ? CHECK_SHADOW_END : -1.0f;
+        end[l] = -1.0f;
+        if (!any(paths[l].throughput > 0.0f)) continue;
+        Aim a = aim_check(paths + l, lights, scene);
+        segments[l] = a.segment;
+        light[l] = scattered_light(paths + l, &a);
+        if (any(light[l] > 0.0f)) end[l] = a.far ? INFINITY : CHECK_SHADOW_END;
     }
     LaneRays rays = rays_of_paths(paths, segments, end);
-    lanes_trace(&rays, true, nodes, leaves, triangles, planes);
-    for (int l = 0; l < PENCIL_WIDTH; ++l)
-        if (end[l] > 0.0f && LANE_INT(rays.triangle, l) < 0) paths[l].sum += light[l];
+    vfloat share = rays_share(&rays, PACKET_BITS(PACKET_MASK(rays.nearest > 0.0f)), scene, nodes, leaves, scene->triangles, scene->planes);
+    for (int l = 0; l < PENCIL_WIDTH; ++l) paths[l].sum += LANE_FLOAT(share, l) * light[l];
+}
+
+/// What a vertex scatters at most, to end paths by.
+static inline float3 vertex_share(const Vertex *v) {
+    if (!PENCIL_LOBES || v->bsdf.model == MATERIAL_DIFFUSE) return v->albedo;
+    return fmin(v->albedo + bsdf_share(&v->bsdf, seen_from(v->n, v->o)), (float3)(1.0f));
 }
 
 /// Ends the path by Russian roulette, or gives it a direction. False if it has ended.
 static inline bool go_on(CheckPath *p, int order, float3 *direction) {
     *direction = (float3)(0.0f);
     if (order > CHECK_SURE_ORDERS) {
-        float survival = fmin(fmax(p->throughput.x, fmax(p->throughput.y, p->throughput.z)), 1.0f);
+        float survival = fmin(largest_of(p->throughput * vertex_share(&p->at)), 1.0f);
         p->throughput = survival > 0.0f && check_random(p) < survival ? p->throughput / survival : (float3)(0.0f);
     }
     if (any(p->throughput > 0.0f)) *direction = next_direction(p);
-    if (dot(*direction, p->facing) > 0.0f) return true;
-    p->throughput = (float3)(0.0f);
-    return false;
+    return any(p->throughput > 0.0f);
 }
 
 /// launch : 1-D, one work-item per packet of PENCIL_WIDTH paths
 /// in     : surfels; starts[path_count]: the surfel of each path, -1: none; emitters[emitter_count] and their power, luminance of radiance times
-///          area summed, a point light as a small sphere [scene units^2]; orders: reflections at most, -1: no limit; seed; the scene
+///          area summed, a point light as a small sphere [scene units^2]; sky_area: that the
+///          sky counts with [scene units^2]; orders: reflections at most, -1: no limit; seed; the scene
 /// out    : radiance[3][path_count]: an estimate of what each surfel reflects to the eye [W m^-2 sr^-1]: the film knows
 ///          better what it emits
 kernel void trace_checks(global const float *surfels, int capacity, global const int *starts, int path_count,
-                         global const Emitter *emitters, int emitter_count, float power, int orders, uint seed, global const BvhNode *nodes,
-                         global const int *leaves, global const Triangle *triangles, global const float4 *planes,
-                         global const Material *materials, global const float4 *normals, global float *radiance) {
+                         global const Emitter *emitters, int emitter_count, float power, float sky_area, SKY_PARAMETERS, int orders,
+                         uint seed, global const BvhNode *nodes, global const int *leaves, SURFACES_PARAMETERS, global float *radiance) {
     int first = get_global_id(0) * PENCIL_WIDTH;
     if (first >= path_count) return;
     CheckPath paths[PENCIL_WIDTH];
+    CheckLights lights = {emitters, emitter_count, power, sky_area, sky, sky_texels};
+    Surfaces scene = SURFACES;
+#pragma unroll 1
     for (int l = 0; l < PENCIL_WIDTH; ++l)
-        paths[l] = begin_path(surfels, capacity, first + l < path_count ? starts[first + l] : -1, hash_uint(seed + hash_uint(first + l)));
+        paths[l] = begin_path(surfels, capacity, first + l < path_count ? starts[first + l] : -1, materials, bitmaps,
+                              hash_uint(seed + hash_uint(first + l)));
     int most = orders < 0 ? CHECK_MOST_ORDERS : orders;
     for (int order = 1; order <= most; ++order) {
-        if (emitter_count > 0) light_vertices(paths, emitters, emitter_count, power, nodes, leaves, triangles, planes, materials);
+        if (emitter_count > 0) light_vertices(paths, &lights, &scene, nodes, leaves);
         float3 directions[PENCIL_WIDTH];
         float end[PENCIL_WIDTH];
         bool alive = false;
+#pragma unroll 1
         for (int l = 0; l < PENCIL_WIDTH; ++l) {
             bool goes_on = go_on(paths + l, order, directions + l);
             end[l] = goes_on ? INFINITY : -1.0f;
@@ -209,10 +340,9 @@ kernel void trace_checks(global const float *surfels, int capacity, global const
         if (!alive) break;
         LaneRays rays = rays_of_paths(paths, directions, end);
         lanes_trace(&rays, false, nodes, leaves, triangles, planes);
+#pragma unroll 1
         for (int l = 0; l < PENCIL_WIDTH; ++l)
-            if (end[l] > 0.0f)
-                arrive(paths + l, directions[l], LANE_INT(rays.triangle, l), LANE_FLOAT(rays.nearest, l), power, triangles, planes,
-                       materials, normals);
+            if (end[l] > 0.0f) arrive(paths + l, directions[l], LANE_INT(rays.triangle, l), LANE_FLOAT(rays.nearest, l), &lights, &scene);
     }
     for (int l = 0; l < PENCIL_WIDTH && first + l < path_count; ++l) {
         radiance[first + l] = paths[l].sum.x;

@@ -1,10 +1,40 @@
 // What the camera sees, as rasterize_film.cl makes it, by packets of rays through the hierarchy: where triangles are far more than pixels.
 
 #include "lib/bvh.cl"
+#include "lib/camera_ray.cl"
 #include "lib/packet.cl"
+#include "lib/rays.cl"
 #include "shared/bvh.h"
 #include "shared/camera.h"
 #include "shared/geometry.h"
+
+/// The same where rays have origins of their own. They start at the near distance.
+static inline void trace_wide(global const BvhNode *nodes, global const int *leaves, global const Triangle *triangles,
+                              global const float4 *planes, const Camera *camera, global const float2 *offsets, int sample_count,
+                              int first_row, int first, int count, global Hit *hits) {
+    float o[3][PENCIL_WIDTH], d[3][PENCIL_WIDTH];
+    for (int l = 0; l < PENCIL_WIDTH; ++l) {
+        int item = min(first + l, count - 1), pixel = item / sample_count, sample = item % sample_count;
+        float2 at = (float2)(pixel % camera->width, first_row + pixel / camera->width) + offsets[sample];
+        CameraRay ray = camera_ray(camera, at, offsets, sample, sample_count);
+        float4 start = ray.origin + camera->near_clip * ray.direction;
+        o[0][l] = start.x;
+        o[1][l] = start.y;
+        o[2][l] = start.z;
+        d[0][l] = ray.direction.x;
+        d[1][l] = ray.direction.y;
+        d[2][l] = ray.direction.z;
+    }
+    LaneRays rays = lane_rays(PACKET_LOAD(o[0]), PACKET_LOAD(o[1]), PACKET_LOAD(o[2]), PACKET_LOAD(d[0]), PACKET_LOAD(d[1]),
+                              PACKET_LOAD(d[2]), (vint)(-1), (vfloat)(camera->far_clip - camera->near_clip));
+    lanes_trace(&rays, false, nodes, leaves, triangles, planes);
+    for (int l = 0; l < PENCIL_WIDTH && first + l < count; ++l) {
+        int item = first + l, triangle = LANE_INT(rays.triangle, l);
+        global Hit *hit = hits + (size_t)(item % sample_count) * (count / sample_count) + item / sample_count;
+        hit->triangle = triangle;
+        hit->disparity = triangle < 0 ? 0.0f : 1.0f / (LANE_FLOAT(rays.nearest, l) + camera->near_clip);
+    }
+}
 
 /// launch : 1-D, one work-item per packet of PENCIL_WIDTH samples of a strip of rows, those of a pixel one after the other
 /// in     : the scene and its hierarchy; camera; offsets[sample] in [0, 1)^2, the same for every pixel
@@ -15,6 +45,10 @@ kernel void trace_film(global const BvhNode *nodes, global const int *leaves, gl
     int first = get_global_id(0) * PENCIL_WIDTH;
     int pixels = row_count * camera.width, count = pixels * sample_count;
     if (first >= count) return;
+#if PENCIL_WIDE_CAMERA
+    trace_wide(nodes, leaves, triangles, planes, &camera, offsets, sample_count, first_row, first, count, hits);
+    return;
+#endif
     float x[PENCIL_WIDTH], y[PENCIL_WIDTH], z[PENCIL_WIDTH];
     for (int l = 0; l < PENCIL_WIDTH; ++l) {
         int item = min(first + l, count - 1), pixel = item / sample_count;

@@ -17,8 +17,7 @@
 /// out    : surfels, structure of arrays of `capacity`, entry k of pencil first_pencil + p at first_surfel + p * texels + k
 /// needs  : n a multiple of 4, texels a multiple of the blocks' size. Texels below the geometric horizon of a pencil see nothing.
 kernel void trace_hemispheres(global const SurfacePencil *pencils, int first_pencil, int pencil_count, int texels, int n, uint seed,
-                              uint2 shift, global const BvhNode *nodes, global const int *leaves, global const Triangle *triangles,
-                              global const float4 *planes, global const Material *materials, global const float4 *normals,
+                              uint2 shift, global const BvhNode *nodes, global const int *leaves, SURFACES_PARAMETERS,
                               global float *surfels, int capacity, int first_surfel) {
     int first = get_global_id(0) * PENCIL_WIDTH;
     if (first >= pencil_count * texels) return;
@@ -47,9 +46,20 @@ kernel void trace_hemispheres(global const SurfacePencil *pencils, int first_pen
     packet_trace(&rays, origin, pencil->plane, 0.0f, nodes, leaves, triangles, planes);
     vint below = PACKET_MASK(rays.x * facing.x + rays.y * facing.y + rays.z * facing.z <= 0.0f);
     rays.triangle = select(rays.triangle, (vint)(-1), below);
+    Surfaces scene = SURFACES;
+#if PENCIL_OUTGOING || PENCIL_TEXTURES
+#pragma unroll 1  // models of materials are long
+#endif
     for (int l = 0; l < PENCIL_WIDTH; ++l) {
+        if (PENCIL_OUTGOING && LANE_INT(below, l)) {
+            Vertex nothing = meet_nothing((float3)(LANE_FLOAT(rays.x, l), LANE_FLOAT(rays.y, l), LANE_FLOAT(rays.z, l)));
+            Throughput none = {(float3)(0.0f), -1.0f};
+            store_vertex(surfels, capacity, first_surfel + first + l, &nothing, none);
+            continue;
+        }
         Hit hit = {LANE_INT(rays.triangle, l), LANE_FLOAT(rays.disparity, l)};
         float4 direction = (float4)(LANE_FLOAT(rays.x, l), LANE_FLOAT(rays.y, l), LANE_FLOAT(rays.z, l), 0.0f);
-        write_surfel(surfels, capacity, first_surfel + first + l, hit, origin, direction, triangles, planes, materials, normals);
+        write_surfel(surfels, capacity, first_surfel + first + l, hit, origin, direction, &scene,
+                     as_uint(LANE_FLOAT(rays.x, l)) ^ as_uint(LANE_FLOAT(rays.y, l)));
     }
 }

@@ -12,15 +12,15 @@
 ///          hierarchy
 /// out    : surfels, structure of arrays of `capacity`: what each ray meets first; distances[count] [scene units], INFINITY if nothing
 kernel void trace_probing_rays(global const float4 *origins, global const float4 *directions, global const int *own, int count,
-                               global const BvhNode *nodes, global const int *leaves, global const Triangle *triangles,
-                               global const float4 *planes, global const Material *materials, global const float4 *normals,
-                               global float *surfels, int capacity, global float *distances) {
+                               global const BvhNode *nodes, global const int *leaves, SURFACES_PARAMETERS, global float *surfels,
+                               int capacity, global float *distances) {
     int i = get_global_id(0);
     if (i >= count) return;
     float4 origin = (float4)(origins[i].xyz, 0.0f), direction = (float4)(directions[i].xyz, 0.0f);
     RayPacket rays = ray_packet((vfloat)(direction.x), (vfloat)(direction.y), (vfloat)(direction.z));
     packet_trace(&rays, origin, own[i], 0.0f, nodes, leaves, triangles, planes);
     Hit hit = {LANE_INT(rays.triangle, 0), LANE_FLOAT(rays.disparity, 0)};
-    write_surfel(surfels, capacity, i, hit, origin, direction, triangles, planes, materials, normals);
+    Surfaces scene = SURFACES;
+    write_surfel(surfels, capacity, i, hit, origin, direction, &scene, hash_uint((uint)i));
     distances[i] = LANE_FLOAT(rays.nearest, 0);
 }

@@ -12,6 +12,7 @@ namespace pencil {
 struct EmitterTable {
     std::vector<Emitter> emitters;  // triangles and point lights, chosen by power
     double power = 0;               // of all: luminance of radiance times area [scene units^2]
+    double sky_area = 0;            // that the sky counts with, as do parallel lights with their irradiance [scene units^2]
 };
 
 /// A point light counts with the power that a small sphere of its intensity has.

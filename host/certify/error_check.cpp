@@ -37,6 +37,7 @@ ErrorCheck::ErrorCheck(RenderContext& context) : context_(context) {
     const EmitterTable table = tabulate_emitters(context.scene, context.flat);
     lights_.count = static_cast<int>(table.emitters.size());
     lights_.power = static_cast<float>(table.power);
+    lights_.sky_area = static_cast<float>(table.sky_area);
     lights_.emitters =
         Buffer<Emitter>(context.kernels.device(), table.emitters.empty() ? std::vector<Emitter>(1) : table.emitters, "emitters");
 }

@@ -6,7 +6,8 @@ void trace_checks(Kernels& kernels, const DeviceScene& scene, const Surfels& sur
                   int orders, uint seed, Buffer<float>& radiance) {
     const int paths = static_cast<int>(starts.size());
     kernels.get("trace_checks")
-        .args(surfels.store(), starts, paths, lights.list(), orders, seed, scene.hierarchy(), scene.surfaces(), radiance)
+        .args(surfels.store(), starts, paths, lights.list(), scene.environment(), orders, seed, scene.hierarchy(), scene.surfaces(),
+              radiance)
         .run(kernels.packets(paths), "check paths");
 }
 

@@ -14,6 +14,7 @@ PENCIL_DEVICE_TYPE(int, "int")
 PENCIL_DEVICE_TYPE(uint, "uint")
 PENCIL_DEVICE_TYPE(unsigned char, "uchar")
 PENCIL_DEVICE_TYPE(unsigned short, "ushort")
+PENCIL_DEVICE_TYPE(std::uint64_t, "half")  // four of them
 PENCIL_DEVICE_TYPE(glm::vec2, "float2")
 PENCIL_DEVICE_TYPE(glm::vec4, "float4")
 PENCIL_DEVICE_TYPE(glm::ivec2, "int2")

@@ -19,9 +19,11 @@ struct DeviceScene {
     /// `bvh`: empty where no kernel follows rays; `grouped`: empty where none rasterises by clusters.
     DeviceScene(const std::shared_ptr<Device>& device, const FlatScene& flat, const Bvh& bvh = {}, const Clusters& grouped = {});
 
-    /// Arguments of kernels: `triangles, planes`; with `materials, normals` behind them; `triangles, triangle_count, planes`; `nodes, leaves`.
+    /// Arguments of kernels: `triangles, planes`; with `materials, normals, uvs, textures, texels` behind them; `sky,
+    /// sky_texels`; `triangles, triangle_count, planes`; `nodes, leaves`.
     auto faces() const { return std::tie(triangles, planes); }
-    auto surfaces() const { return std::tie(triangles, planes, materials, normals); }
+    auto surfaces() const { return std::tie(triangles, planes, materials, normals, uvs, textures, texels); }
+    auto environment() const { return std::tie(sky, sky_texels); }
     auto all_triangles() const { return std::tie(triangles, triangle_count, planes); }
     auto hierarchy() const { return std::tie(nodes, leaves); }
 
@@ -33,6 +35,11 @@ struct DeviceScene {
     Buffer<float4> planes;
     Buffer<Material> materials;
     Buffer<float4> normals;  // empty unless Features::smooth
+    Buffer<glm::vec2> uvs;   // empty unless Features::textures, as are the next two
+    Buffer<TextureRow> textures;
+    Buffer<std::uint64_t> texels;
+    Buffer<Sky> sky;  // with its texels empty unless Features::sky
+    Buffer<float4> sky_texels;
     Buffer<float4> to_film;
     Buffer<BvhNode> nodes;
     Buffer<int> leaves;

@@ -6,12 +6,22 @@
 
 namespace pencil {
 
-Features scene_features(const FlatScene& scene, int film_samples) {
+Features scene_features(const FlatScene& scene, int film_samples, bool lobes) {
     Features features;
     features.smooth = !scene.normals.empty();
     features.film_samples = film_samples;
-    for (const Material& material : scene.materials) features.models.insert(material.model);
-    features.outgoing = std::any_of(features.models.begin(), features.models.end(), [](int model) { return model != MATERIAL_DIFFUSE; });
+    for (const Material& material : scene.materials) {
+        features.models.insert(material.model);
+        features.blends = features.blends || material.model == MATERIAL_BLEND || material.back >= 0;
+        features.clear = features.clear || (lobes && (material.flags & MATERIAL_CLEAR) != 0);
+        features.relief = features.relief || material.normal_texture >= 0;
+        const bool even = material.model == MATERIAL_DIFFUSE || material.model == MATERIAL_BLEND;
+        features.lobes = features.lobes || (lobes && !even);
+    }
+    features.textures = !scene.textures.empty();
+    features.wide_camera = scene.is_wide_camera();
+    features.sky = scene.sky.width > 0;
+    features.far_light = features.sky || scene.far_light;
     return features;
 }
 
@@ -25,7 +35,15 @@ const std::vector<std::pair<std::string, int>>& optional_models() {
 
 Defines to_defines(const Features& features, int block) {
     Defines defines{{"PENCIL_SMOOTH", features.smooth ? "1" : "0"},
-                    {"PENCIL_OUTGOING", features.outgoing ? "1" : "0"},
+                    {"PENCIL_OUTGOING", features.outgoing() ? "1" : "0"},
+                    {"PENCIL_LOBES", features.lobes ? "1" : "0"},
+                    {"PENCIL_WIDE_CAMERA", features.wide_camera ? "1" : "0"},
+                    {"PENCIL_FAR_LIGHT", features.far_light ? "1" : "0"},
+                    {"PENCIL_SKY", features.sky ? "1" : "0"},
+                    {"PENCIL_BLENDS", features.blends ? "1" : "0"},
+                    {"PENCIL_TEXTURES", features.textures ? "1" : "0"},
+                    {"PENCIL_CLEAR", features.clear ? "1" : "0"},
+                    {"PENCIL_RELIEF", features.relief ? "1" : "0"},
                     {"PENCIL_WEIGHTS", std::to_string(features.weights)},
                     {"PENCIL_CELL_GRID", std::to_string(features.cell_grid)},
                     {"PENCIL_BVH", features.bvh ? "1" : "0"},

@@ -16,7 +16,15 @@ struct Features {
     bool smooth = false;    // some triangle has vertex normals: interpolated shading normals
     int film_samples = 16;  // visibility samples per pixel
     std::set<int> models;   // of reflection, that some material has (shared/material.h)
-    bool outgoing = false;  // some material reflects by where it is seen from: surfels carry that direction
+    bool blends = false;    // some material is one of two others, or has a back of its own
+    bool textures = false;
+    bool clear = false;                             // some surface lets light pass unturned: shadows have shares
+    bool relief = false;                            // some texture turns shading normals
+    bool lobes = false;                             // some material scatters along lobes, which are followed
+    bool wide_camera = false;                       // rays of the film do not all come from one point
+    bool far_light = false;                         // some light comes from infinitely far away, or from a spot
+    bool sky = false;                               // there is light from infinitely far away all around
+    bool outgoing() const { return lobes || sky; }  // surfels carry the direction that they are seen from
     // What the method needs:
     int weights = PENCIL_WEIGHTS_DPDF;  // form of the quadrature weights (shared/weights.h)
     int cell_grid = 0;                  // root of the greatest number of directions that sample Voronoi cells, 0 for other weights
@@ -24,7 +32,8 @@ struct Features {
 };
 
 /// The part that scene and film decide.
-Features scene_features(const FlatScene& scene, int film_samples);
+/// `lobes`: whether the method follows them, or else takes them for even.
+Features scene_features(const FlatScene& scene, int film_samples, bool lobes);
 Defines to_defines(const Features& features, int block);
 
 /// Kernels of one render: the program cache with the render's specialisation.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <glm/vec3.hpp>
 
 #include "util/error.h"
@@ -54,6 +55,12 @@ PencilSet::PencilSet(const std::shared_ptr<Device>& device, std::shared_ptr<Geom
     : maps(std::move(geometry)), radiance(device, atlas_texels(static_cast<std::size_t>(maps->count), maps->n), "pencil radiance maps") {}
 
 LightSet::LightSet(const std::shared_ptr<Device>& device, const std::vector<LightSample>& light_samples, int tile_size)
-    : samples(device, light_samples, "light samples"), maps(device, positions_of(light_samples), tile_size, "light sample") {}
+    : samples(device, light_samples, "light samples"), maps(device, positions_of(light_samples), tile_size, "light sample") {
+    const auto is_alone = [](const LightSample& s) {
+        return s.position.w != LIGHT_AREA && !(s.position.w == LIGHT_INFINITE && s.normal.w > 0);
+    };
+    const auto first_of_many = std::find_if_not(light_samples.begin(), light_samples.end(), is_alone);
+    alone = static_cast<int>(first_of_many - light_samples.begin());
+}
 
 }  // namespace pencil

@@ -59,6 +59,7 @@ struct LightSet {
     auto list() const { return std::tie(samples, maps.count); }
 
     Buffer<LightSample> samples;
+    int alone = 0;  // samples at the beginning that are each a light of its own
     GeometryMaps maps;
 };
 

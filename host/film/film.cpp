@@ -34,11 +34,15 @@ double film_bytes(double pixels, int samples) {
     return pixels * (samples + 1 + 4 + surfels_per_pixel * 4 * (SURFEL_FIELDS + 3 * layers_held) + 3 * 4);
 }
 
-Film::Film(Kernels& kernels, const DeviceScene& scene, const Camera& camera, const ReconstructionFilter& filter, const Turn& turn)
-    : camera_(camera), samples_(kernels.features().film_samples), strip_rows_(rows_per_strip(camera, samples_)) {
+Film::Film(Kernels& kernels, const DeviceScene& scene, const FilmCamera& camera, const ReconstructionFilter& filter, const Turn& turn)
+    : camera_(camera.camera), eye_(camera.eye), samples_(kernels.features().film_samples), strip_rows_(rows_per_strip(camera_, samples_)) {
     const auto& device = kernels.device();
-    const std::vector<glm::vec2> offsets = film_sample_offsets(samples_, turn.seed, turn.index);
+    std::vector<glm::vec2> offsets = film_sample_offsets(samples_, turn.seed, turn.index);
     table_ = tabulate_filter(filter, offsets);
+    if (kernels.features().wide_camera) {
+        const std::vector<glm::vec2> lens = lens_points(samples_, turn.seed, turn.index);
+        offsets.insert(offsets.end(), lens.begin(), lens.end());
+    }
     offsets_ = Buffer<glm::vec2>(device, offsets, "film sample offsets");
     weights_ = Buffer<float>(device, table_.weights, "filter weights");
     totals_ = Buffer<float>(device, table_.totals, "filter totals");
@@ -61,7 +65,7 @@ Film::Film(Kernels& kernels, const DeviceScene& scene, const Camera& camera, con
 }
 
 void Film::see(Kernels& kernels, const DeviceScene& scene, int first_row, int rows) {
-    const auto look = film_is_traced(scene, camera_) ? trace_film : rasterize_film;
+    const auto look = kernels.features().wide_camera || film_is_traced(scene, camera_) ? trace_film : rasterize_film;
     look(kernels, scene, camera_, offsets_, samples_, first_row, rows, hits_, "film hits");
 }
 
@@ -99,12 +103,20 @@ void Film::write_surfels(Kernels& kernels, const DeviceScene& scene, int first_r
         .run(static_cast<std::size_t>(rows) * static_cast<std::size_t>(camera_.width), "film surfels");
 }
 
-std::vector<float> Film::resolve(Kernels& kernels, const Buffer<float>& values, int first_field) const {
+std::vector<float> Film::resolve(Kernels& kernels, const Buffer<float>& values, int first_field, const Buffer<float>* background) const {
     Buffer<float> image(kernels.device(), pixel_count(camera_) * 3, "resolved layer");
+    const Buffer<float> none(kernels.device(), 1, "no background");
     kernels.get("resolve_film")
-        .args(values, first_field, surfels_.capacity, pixels(), filter(), camera_.width, camera_.height, image)
+        .args(values, first_field, surfels_.capacity, pixels(), filter(), camera_.width, camera_.height, background ? *background : none,
+              background ? 1 : 0, image)
         .run(pixel_count(camera_), "resolve film");
     return image.read();
+}
+
+Buffer<float> Film::sky(Kernels& kernels, const DeviceScene& scene) const {
+    Buffer<float> image(kernels.device(), pixel_count(camera_) * 3, "environment behind the film");
+    kernels.get("show_sky").args(camera_, offsets_, samples_, slots_, scene.environment(), image).run(pixel_count(camera_), "environment");
+    return image;
 }
 
 std::vector<float> Film::cover(Kernels& kernels) const {

@@ -12,10 +12,16 @@
 
 namespace pencil {
 
+/// A camera, and about where its rays come from [scene units].
+struct FilmCamera {
+    const Camera& camera;
+    glm::vec3 eye;
+};
+
 class Film {
 public:
     /// Rasterises the scene for the camera and makes the surfels (launchers of classify_film, film_surfels).
-    Film(Kernels& kernels, const DeviceScene& scene, const Camera& camera, const ReconstructionFilter& filter, const Turn& turn);
+    Film(Kernels& kernels, const DeviceScene& scene, const FilmCamera& camera, const ReconstructionFilter& filter, const Turn& turn);
 
     const Surfels& surfels() const { return surfels_; }
     const Buffer<unsigned char>& counts() const { return counts_; }    // per pixel: surfels and FILM_HAS_EMPTY
@@ -24,10 +30,14 @@ public:
     const FilterTable& filter_table() const { return table_; }
     int width() const { return camera_.width; }
     int height() const { return camera_.height; }
-    float4 eye() const { return camera_.origin; }  // [scene units]
+    glm::vec3 eye() const { return eye_; }  // where it is seen from, about [scene units]
 
-    /// Pixels (rgb, rows from the top) of three consecutive fields of values[field][surfels().capacity]; launcher of resolve_film.
-    std::vector<float> resolve(Kernels& kernels, const Buffer<float>& values, int first_field = 0) const;
+    /// Pixels (rgb, rows from the top) of three consecutive fields of values[field][surfels().capacity], and of `background` where
+    /// samples show nothing; launcher of resolve_film.
+    std::vector<float> resolve(Kernels& kernels, const Buffer<float>& values, int first_field = 0,
+                               const Buffer<float>* background = nullptr) const;
+    /// Per pixel, rgb: mean radiance of the environment over its samples that show nothing; launcher of show_sky.
+    Buffer<float> sky(Kernels& kernels, const DeviceScene& scene) const;
     /// The filter's share of each pixel that shows a surface, three times over.
     std::vector<float> cover(Kernels& kernels) const;
     /// True if a visibility sample shows nothing.
@@ -49,6 +59,7 @@ private:
     int number_surfels(const std::shared_ptr<Device>& device);
 
     Camera camera_;
+    glm::vec3 eye_;
     int samples_;
     int strip_rows_;
     bool has_empty_ = false;

@@ -17,7 +17,7 @@ constexpr float least_cover = 1e-3F;
 /// is empty: `cover`, its share of each pixel that shows a surface (rgb alike; empty: all of all), scales positions back to the covered
 /// part.
 void to_world(const FlatScene& flat, const std::vector<float>& cover, std::vector<float>& position, std::vector<float>& depth) {
-    const glm::dvec3 eye = flat.normalisation.to_world(glm::dvec3(flat.camera.origin));
+    const glm::dvec3 eye = flat.normalisation.to_world(flat.eye);
     depth.assign(position.size() / 3, 0.0F);
     for (std::size_t i = 0; i < depth.size(); ++i) {
         const float covered = cover.empty() ? 1.0F : cover[3 * i];
@@ -49,7 +49,12 @@ void FilmLayers::add_surfaces(Kernels& kernels, const DeviceScene& scene, const 
     const Surfels& surfels = film.surfels();
     Buffer<float> emission = surfel_rgb(kernels.device(), surfels.capacity, "emission of the film");
     emit_surfels(kernels, scene, surfels, false, emission);
-    beauty_ = film.resolve(kernels, emission);
+    if (kernels.features().sky && film.has_empty()) {
+        const Buffer<float> sky = film.sky(kernels, scene);
+        beauty_ = film.resolve(kernels, emission, 0, &sky);
+    } else {
+        beauty_ = film.resolve(kernels, emission);
+    }
     if (wants(emission_layer)) light_.push_back({emission_layer, 3, beauty_});
     if (wants(albedo_layer)) surface_.push_back({albedo_layer, 3, film.resolve(kernels, surfels.data, SURFEL_ALBEDO_R)});
     if (wants(depth_layer) || wants(position_layer)) {

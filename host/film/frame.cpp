@@ -33,7 +33,10 @@ Frame::Frame(RenderContext& context, const std::vector<std::string>& aovs, int l
     Kernels& kernels = context.kernels;
     context.clock.run(
         "film geometry",
-        [&] { film_ = std::make_unique<Film>(kernels, context.device_scene, context.flat.camera, context.scene.sensor.filter, turn); });
+        [&] {
+            film_ = std::make_unique<Film>(kernels, context.device_scene, FilmCamera{context.flat.camera, glm::vec3(context.flat.eye)},
+                                           context.scene.sensor.filter, turn);
+        });
     context.clock.run(
         "light sample maps", [&] { make_lights(light_samples, light_map, turn); });
     context.clock.run("surface layers", [&] { layers_.add_surfaces(kernels, context.device_scene, context.flat, *film_); });

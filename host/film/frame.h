@@ -25,8 +25,8 @@ public:
     void finish_bounce(int order, int pencils, double projection_seconds);
 
     const Film& film() const { return *film_; }
-    const LightSet& lights() const { return lights_; }
     const std::vector<LightSample>& light_samples() const { return samples_; }
+    const LightSet& lights() const { return lights_; }
     Buffer<float>& outgoing() { return outgoing_; }  // rgb per surfel of the film
     FilmLayers& layers() { return layers_; }
     std::vector<Layer> snapshot() const { return layers_.snapshot(film_->width(), film_->height()); }

@@ -19,6 +19,7 @@ struct MethodNeeds {
     std::vector<MapBatch> maps;         // geometry maps that will be made, as far as can be told
     bool hierarchy = false;             // some kernel follows rays, whatever way the maps are made
     bool rays_for_visibility = false;   // Features::bvh
+    bool lobes = false;                 // it follows lobes of materials; else they count as even
     int weights = PENCIL_WEIGHTS_DPDF;  // Features::weights
     int cell_grid = 0;                  // Features::cell_grid
 };

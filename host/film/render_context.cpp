@@ -1,5 +1,6 @@
 #include "film/render_context.h"
 
+#include "film/approximations.h"
 #include "pencils/light_samples.h"
 
 namespace pencil {
@@ -7,7 +8,7 @@ namespace pencil {
 namespace {
 
 Features complete_features(const FlatScene& flat, const RenderOptions& options, const MethodNeeds& needs) {
-    Features features = scene_features(flat, options.film_samples);
+    Features features = scene_features(flat, options.film_samples, needs.lobes);
     features.bvh = needs.rays_for_visibility;
     features.weights = needs.weights;
     features.cell_grid = needs.cell_grid;
@@ -43,7 +44,9 @@ RenderContext::RenderContext(const Scene& scene_to_render, const RenderOptions& 
       kernels(device, complete_features(flat, options, needs)),
       prepared(preparation(flat, needs, *device)),
       device_scene(prepare_scene(*this)) {
+    maps_emit = flat.sky.width > 0 || kernels.features().lobes;
     for (std::size_t i = 0; i < forms.size(); ++i) maps_emit = maps_emit || (scene.shapes[i].emits && forms[i] == LightForm::maps);
+    for (std::string& sentence : approximations(scene, needs)) stats.warnings.push_back("approximated: " + std::move(sentence));
     kernels.before_launch([this] { clock.poll(); });
 }
 

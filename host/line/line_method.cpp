@@ -26,6 +26,11 @@ constexpr std::size_t blind_share = 100;
 MethodNeeds line_needs(const Scene& scene, const std::vector<LightForm>& forms, const RenderOptions& options) {
     if (options.weights == Weights::analytic && !fills_box_evenly(options.placement))
         throw UsageError("--weights analytic holds for centres spread evenly, --placement random or lds; take --weights dpdf or voronoi");
+    if (scene.environment || !scene.directional_lights.empty())
+        throw UsageError(
+            "line projection knows no light from infinitely far away: environments, skies, directional lights; take --method surface");
+    if (scene.sensor.orthographic || scene.sensor.aperture_radius > 0)
+        throw UsageError("line projection knows the pinhole camera alone; take --method surface");
     MethodNeeds needs;
     needs.maps = planned_maps(scene, forms, options);
     needs.hierarchy = follows_rays(options.placement);

@@ -30,6 +30,13 @@ Option only(MethodName method, Option option) {
     return option;
 }
 
+Option target_row(double& target) {
+    Option row =
+        real_option("--target-error", target, 0, false, long_time, "Passes until the estimated relMSE is at most this, at least two");
+    row.standard = fmt::format("{}; with mirrors, glass or gloss {}", standard_target(false), standard_target(true));
+    return row;
+}
+
 Option pencils_row(int& pencils) {
     Option row = integer_option("--pencils", pencils, 1, many, "Pencils of the first set; surface: of the world set of the first pass");
     row.standard = fmt::format("{}; line: {}", standard_pencils(MethodName::surface), standard_pencils(MethodName::line));
@@ -114,8 +121,7 @@ std::vector<Option> render_option_table(RenderOptions& o) {
         word_option("--method", o.method, methods,
                     "Pencils on surfaces, or line projection, the thesis' method; an option of line alone selects it"),
         only(surface, time_row(o.seconds)),
-        only(surface, real_option("--target-error", o.target_error, 0, false, long_time,
-                                  "Passes until the estimated relMSE is at most this, at least two")),
+        only(surface, target_row(o.target_error)),
         pencils_row(o.pencils),
         only(line, real_option("--decay", o.decay, 0, false, 1, "Size of each further set relative to the last")),
         endless_option("--bounces", o.bounces, 0, most_bounces,

@@ -15,9 +15,10 @@ enum class Placement { random, lds, near_surface, light_rays, camera_rays, profi
 enum class Weights { dpdf, voronoi, analytic, thesis };
 enum class Iterate { sets, fixed };
 
-constexpr int pencils_of_method = 0;  // RenderOptions::pencils: standard_pencils of the method
-constexpr int bounces_of_scene = -2;  // RenderOptions::bounces: the scene's max_depth
-constexpr int endless_bounces = -1;   // until the tolerance
+constexpr double target_of_scene = 0;  // RenderOptions::target_error: standard_target
+constexpr int pencils_of_method = 0;   // RenderOptions::pencils: standard_pencils of the method
+constexpr int bounces_of_scene = -2;   // RenderOptions::bounces: the scene's max_depth
+constexpr int endless_bounces = -1;    // until the tolerance
 
 struct RenderOptions {
     MethodName method = MethodName::surface;
@@ -31,7 +32,7 @@ struct RenderOptions {
     Weights weights = Weights::dpdf;                   // line
     Iterate iterate = Iterate::sets;                   // line
     double seconds = 0;                                // surface: passes until then, 0: until target_error
-    double target_error = 1e-3;                        // surface: estimated relMSE at which to stop
+    double target_error = target_of_scene;             // surface: estimated relMSE at which to stop
     double tolerance = 1e-3;                           // of the radiance a bounce adds, relative to the sum
     int width = 0, height = 0;                         // 0: the scene's film size [pixels]
     std::uint64_t seed = 0;
@@ -40,6 +41,8 @@ struct RenderOptions {
 };
 
 /// As many as a first picture needs.
+/// Paths along lobes are noisier than diffuse light.
+constexpr double standard_target(bool lobes) { return lobes ? 4e-3 : 1e-3; }
 constexpr int standard_pencils(MethodName method) { return method == MethodName::line ? 128 : 800; }
 
 }  // namespace pencil

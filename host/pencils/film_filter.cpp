@@ -18,6 +18,21 @@ std::vector<glm::vec2> film_sample_offsets(int samples, std::uint64_t seed, std:
     return offsets;
 }
 
+std::vector<glm::vec2> lens_points(int samples, std::uint64_t seed, std::uint64_t turn) {
+    const glm::dvec2 shift(random_unit(seed, 103, 0), random_unit(seed, 104, 0));
+    const auto count = static_cast<std::uint64_t>(samples);
+    std::vector<glm::vec2> points;
+    for (std::uint64_t i = turn * count; i < (turn + 1) * count; ++i) {
+        const glm::dvec2 u = r2_sequence(i, shift);
+        const double radius = std::sqrt(u.x), angle = 2 * 3.14159265358979323846 * u.y;
+        points.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+    }
+    // Sample k of a pixel shall not see a point of the lens that goes with its place in the pixel.
+    std::uint64_t bits = hash64(seed ^ hash64(turn + 1));
+    for (std::size_t i = points.size(); i > 1; --i, bits = hash64(bits)) std::swap(points[i - 1], points[bits % i]);
+    return points;
+}
+
 FilterTable tabulate_filter(const ReconstructionFilter& filter, const std::vector<glm::vec2>& offsets) {
     FilterTable table;
     table.reach = std::max(static_cast<int>(std::ceil(filter.radius - 0.5)), 0);

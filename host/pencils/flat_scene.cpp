@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/packing.hpp>
 #include <map>
 #include <stdexcept>
 #include <utility>
 
+#include "pencils/flat_sky.h"
+#include "pencils/material_rows.h"
+#include "pencils/profile_table.h"
 #include "scene/split_triangle.h"
 
 namespace pencil {
@@ -56,48 +60,34 @@ bool contains(const Plane3& plane, const Plane3& other, const glm::dvec3* corner
     return true;
 }
 
-/// Rows are made as triangles need them. What emits shares none: its radiance, the form of its light and the area that its samples stand
-/// for are its own.
-class MaterialRows {
-public:
-    MaterialRows(const Scene& scene, const std::vector<LightForm>& forms, std::vector<Material>& rows)
-        : scene_(scene), forms_(forms), rows_(rows) {}
-
-    /// Index of the triangle's row.
-    int of(const Triangle3& t) {
-        const std::int64_t emitter = scene_.shapes[t.shape].emits ? static_cast<std::int64_t>(t.shape) : -1;
-        const auto [place, is_new] = made_.emplace(std::pair(t.material, emitter), static_cast<int>(rows_.size()));
-        if (is_new) rows_.push_back(row(t));
-        return place->second;
-    }
-
-private:
-    Material row(const Triangle3& t) const {
-        const SceneMaterial& material = scene_.materials[t.material];
-        const Shape& shape = scene_.shapes[t.shape];
-        const float carried = shape.emits && forms_[t.shape] == LightForm::maps ? 1.0F : 0.0F;
-        return {float4(material.albedo, material.two_sided ? 1.0F : 0.0F),
-                float4(shape.emits ? shape.radiance : glm::vec3(0), carried),
-                material.model,
-                {material.parameters.x, material.parameters.y, material.parameters.z}};
-    }
-
-    const Scene& scene_;
-    const std::vector<LightForm>& forms_;
-    std::vector<Material>& rows_;
-    std::map<std::pair<std::uint32_t, std::int64_t>, int> made_;  // by material and emitting shape, -1 for none
-};
-
 /// The vertex normal at barycentric weights; of shapes without, 0.
 glm::vec3 interpolated(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::dvec3& weights) {
     const glm::vec3 w(weights), sum = w.x * a + w.y * b + w.z * c;
     return glm::dot(sum, sum) > 0.0F ? glm::normalize(sum) : glm::vec3(0.0F);
 }
 
+/// Texture coordinates, and colours if the scene has any, of the corners of a triangle or of a piece of it.
+void add_texture_points(const Scene& scene, const Triangle3& t, const glm::dvec3* weights, std::vector<std::uint64_t>& colours,
+                        FlatScene& flat) {
+    for (int k = 0; k < 3; ++k) {
+        const glm::dvec3 w = weights == nullptr ? glm::dvec3(k == 0, k == 1, k == 2) : weights[k];
+        glm::dvec2 uv(0);
+        glm::dvec3 colour(0);
+        for (int c = 0; c < 3; ++c) {
+            if (!scene.uvs.empty()) uv += w[c] * glm::dvec2(scene.uvs[t.corners[c]]);
+            if (!scene.colours.empty()) colour += w[c] * glm::dvec3(scene.colours[t.corners[c]]);
+        }
+        flat.uvs.emplace_back(uv);
+        if (!scene.colours.empty()) colours.push_back(glm::packHalf4x16(glm::vec4(glm::vec3(colour), 1.0F)));
+    }
+}
+
 void flatten_triangles(const Scene& scene, MaterialRows& rows, FlatScene& flat) {
     std::vector<glm::dvec3> points;
     points.reserve(scene.positions.size());
     for (const glm::dvec3& p : scene.positions) points.push_back(glm::dvec3(glm::vec3(flat.normalisation.to_scene(p))));
+    const bool textured = !flat.textures.empty();
+    std::vector<std::uint64_t> colours;  // of vertices
     bool smooth = std::any_of(scene.normals.begin(), scene.normals.end(), [](const glm::vec3& n) { return n != glm::vec3(0); });
     const TriangleSplitter splitter(glm::dvec3(scene.sensor.to_world[3]), scene.sensor.near_clip);
     Plane3 last{};
@@ -118,6 +108,7 @@ void flatten_triangles(const Scene& scene, MaterialRows& rows, FlatScene& flat) 
         for (int k = 0; smooth && k < 3; ++k)
             flat.normals.push_back(
                 float4(weights == nullptr ? normal(k) : interpolated(normal(0), normal(1), normal(2), weights[k]), 0.0F));
+        if (textured) add_texture_points(scene, t, weights, colours, flat);
     };
     for (const Triangle3& t : scene.triangles) {
         const glm::dvec3 *world = scene.positions.data(), corners[3] = {points[t.corners.x], points[t.corners.y], points[t.corners.z]};
@@ -136,6 +127,9 @@ void flatten_triangles(const Scene& scene, MaterialRows& rows, FlatScene& flat) 
             add(t, rounded, plane, piece.weight.data());
         }
     }
+    for (TextureRow& texture : flat.textures)
+        if (texture.kind == TEXTURE_VERTEX_COLOURS) texture.first = static_cast<int>(flat.texels.size());
+    flat.texels.insert(flat.texels.end(), colours.begin(), colours.end());
 }
 
 /// Counts the mates of each triangle: neighbours in the list that share its plane.
@@ -153,15 +147,21 @@ void count_mates(std::vector<Triangle>& triangles) {
     }
 }
 
-/// Mitsuba's perspective sensor: +z forward, +x to the left, fov_x over the film's width.
+/// Mitsuba's sensors: +z forward, +x to the left, fov_x over the film's width; parallel rays through [-1, 1] of its own x. `width`, `height`: of
+/// the part that is rendered.
 void flatten_camera(const PerspectiveSensor& sensor, int width, int height, FlatScene& flat) {
-    const double tan_x = std::tan(sensor.fov_x * 3.14159265358979323846 / 360.0);
-    const double pixel = 2.0 * tan_x / width;  // at unit depth
+    const bool cropped = sensor.crop_width > 0;
+    const double shrink_x = cropped ? static_cast<double>(width) / sensor.crop_width : 1.0,
+                 shrink_y = cropped ? static_cast<double>(height) / sensor.crop_height : 1.0;
+    const double whole_x = cropped ? sensor.width * shrink_x : width, whole_y = cropped ? sensor.height * shrink_y : height;
+    const double tan_x = sensor.orthographic ? 1.0 : std::tan(sensor.fov_x * 3.14159265358979323846 / 360.0);
+    const double pixel = 2.0 * tan_x / whole_x;  // at unit depth
     glm::dvec3 left = glm::normalize(glm::dvec3(sensor.to_world[0]));
     glm::dvec3 up = glm::normalize(glm::dvec3(sensor.to_world[1]));
     glm::dvec3 forward = glm::normalize(glm::dvec3(sensor.to_world[2]));
     glm::dvec3 step_x = -left * pixel, step_y = -up * pixel;
-    double centre_x = width * (0.5 + sensor.principal_point_offset.x), centre_y = height * (0.5 + sensor.principal_point_offset.y);
+    const double centre_x = whole_x * (0.5 + sensor.principal_point_offset.x) - (cropped ? sensor.crop_x * shrink_x : 0.0),
+                 centre_y = whole_y * (0.5 + sensor.principal_point_offset.y) - (cropped ? sensor.crop_y * shrink_y : 0.0);
     glm::dvec3 corner = forward - step_x * centre_x - step_y * centre_y;
     const double scale = flat.normalisation.scale;
     Camera& camera = flat.camera;
@@ -169,6 +169,22 @@ void flatten_camera(const PerspectiveSensor& sensor, int width, int height, Flat
     camera.corner = to_float4(corner);
     camera.step_x = to_float4(step_x);
     camera.step_y = to_float4(step_y);
+    flat.eye = flat.normalisation.to_scene(glm::dvec3(sensor.to_world[3]));
+    if (sensor.orthographic) {
+        // The film has the size that to_world gives it.
+        const double wide = glm::length(glm::dvec3(sensor.to_world[0])) / scale, high = glm::length(glm::dvec3(sensor.to_world[1])) / scale;
+        const glm::dvec3 right = step_x * wide, down = step_y * high;
+        camera.shift_x = to_float4(right);
+        camera.shift_y = to_float4(down);
+        camera.origin = to_float4(flat.eye - centre_x * right - centre_y * down);
+        camera.corner = to_float4(forward);
+        camera.step_x = camera.step_y = float4(0);
+        flat.eye -= forward * (glm::length(right) * width);
+    } else if (sensor.aperture_radius > 0) {
+        const double radius = sensor.aperture_radius / scale;
+        camera.lens_x = to_float4(left * radius, sensor.focus_distance > 0 ? scale / sensor.focus_distance : 0.0);
+        camera.lens_y = to_float4(up * radius);
+    }
     camera.width = width;
     camera.height = height;
     camera.near_clip = static_cast<float>(sensor.near_clip / scale);
@@ -185,7 +201,15 @@ FlatScene flatten(const Scene& scene, const std::vector<LightForm>& forms, int w
     FlatScene flat;
     flat.normalisation = normalise(scene);
     flat.shape_count = static_cast<int>(scene.shapes.size());
-    MaterialRows rows(scene, forms, flat.materials);
+    flat.textures = flatten_textures(scene, flat.texels);
+    flat.far_light =
+        !scene.directional_lights.empty() || std::any_of(scene.point_lights.begin(), scene.point_lights.end(),
+                                                         [](const PointLight& light) { return light.is_spot || light.profile >= 0; });
+    for (const PointLight& light : scene.point_lights)
+        flat.profile_tables.push_back(
+            light.profile >= 0 ? add_profile_table(light, scene.profiles[static_cast<std::size_t>(light.profile)], flat.texels) : -1);
+    flat.sky = flatten_sky(scene, flat.sky_texels);
+    MaterialRows rows(scene, forms, flat.materials, flat.row_shapes, flat.texels, flat.normalisation.scale);
     flatten_triangles(scene, rows, flat);
     count_mates(flat.triangles);
     flatten_camera(scene.sensor, width > 0 ? width : scene.sensor.width, height > 0 ? height : scene.sensor.height, flat);
@@ -204,6 +228,11 @@ FlatScene flatten(const Scene& scene, const std::vector<LightForm>& forms, int w
         flat.high = high;
     }
     return flat;
+}
+
+double cross_section(const FlatScene& flat) {
+    const glm::dvec3 size = flat.high - flat.low;
+    return (size.x * size.y + size.y * size.z + size.z * size.x) / 3;
 }
 
 std::vector<double> shape_areas(const Scene& scene) {

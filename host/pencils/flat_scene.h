@@ -4,10 +4,13 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "pencils/light_form.h"
 #include "scene/scene.h"
 #include "shared/camera.h"
 #include "shared/geometry.h"
 #include "shared/material.h"
+#include "shared/sky.h"
+#include "shared/texture.h"
 #include "shared/types.h"
 
 namespace pencil {
@@ -25,9 +28,19 @@ struct FlatScene {
     std::vector<Triangle> triangles;
     std::vector<float4> planes;       // unit normal, distance: dot(normal, x) = w on the plane
     std::vector<Material> materials;  // one per scene material in use on what does not emit; own ones for each shape that emits
+    std::vector<int> row_shapes;      // the shape that a row is of, if it emits, else -1
     std::vector<float4> normals;      // three per triangle, empty if no shape has vertex normals
-    int shape_count = 0;              // of Scene::shapes, which Triangle::shape indexes
+    std::vector<TextureRow> textures;
+    std::vector<std::uint64_t> texels;  // four half floats each
+    std::vector<glm::vec2> uvs;         // three per triangle, empty if no material has a texture
+    bool far_light = false;             // directional lights, spots or profiles
+    std::vector<int> profile_tables;    // of point lights: first texel, -1: it has no profile
+    Sky sky{};
+    std::vector<float4> sky_texels;
+    int shape_count = 0;  // of Scene::shapes, which Triangle::shape indexes
     Camera camera{};
+    glm::dvec3 eye{0.0};  // where the film is seen from, of parallel rays a point behind it [scene units]
+    bool is_wide_camera() const { return camera.lens_x != float4(0) || camera.shift_x != float4(0); }
     std::vector<float4> to_film;     // three rows, see bound_film.cl
     glm::dvec3 low{0.0}, high{0.0};  // bounds of geometry and lights [scene units]
 };
@@ -37,8 +50,8 @@ inline glm::dvec3 area_vector(const Triangle& t) {
     return 0.5 * glm::cross(glm::dvec3(t.v1) - glm::dvec3(t.v0), glm::dvec3(t.v2) - glm::dvec3(t.v0));
 }
 
-/// How an emitting shape's light enters: by light samples, or carried by the pencil maps.
-enum class LightForm { samples, maps };
+/// Area of the scene as seen from outside, about, for light that comes from there [scene units^2].
+double cross_section(const FlatScene& flat);
 
 /// `forms` has one entry per shape, ignored where the shape does not emit. Width and height 0: the scene's own.
 FlatScene flatten(const Scene& scene, const std::vector<LightForm>& forms, int width, int height);

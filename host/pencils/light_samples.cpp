@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "image/colour.h"
+#include "pencils/flat_sky.h"
 #include "pencils/low_discrepancy.h"
 #include "pencils/warps.h"
 
@@ -143,6 +144,27 @@ void sample_shape(const ShapeTriangles& e, const FlatScene& flat, const glm::dve
     }
 }
 
+LightSample point_sample(const PointLight& light, int profile_table, const FlatScene& flat) {
+    constexpr double degree = pi / 180;
+    const double scale = flat.normalisation.scale;
+    LightSample s{};
+    s.position = float4(glm::vec3(flat.normalisation.to_scene(light.position)), LIGHT_POINT);
+    s.emission = float4(glm::vec3(glm::dvec3(light.intensity) / (scale * scale)), -1.0F);
+    if (profile_table >= 0) {
+        s.position.w = LIGHT_PROFILE;
+        s.normal = float4(glm::vec3(glm::normalize(glm::dvec3(light.to_world[2]))), 0.0F);
+        s.emission.w = static_cast<float>(profile_table);
+        return s;
+    }
+    if (!light.is_spot) return s;
+    s.position.w = LIGHT_SPOT;
+    s.normal = float4(glm::vec3(glm::normalize(glm::dvec3(light.to_world[2]))), static_cast<float>(light.beam_width * degree));
+    s.emission.w = static_cast<float>(light.cutoff * degree);
+    return s;
+}
+
+int sky_samples(double share, int count) { return std::max(static_cast<int>(std::lround(share * count)), std::max(count / 4, 1)); }
+
 /// Boxes of shapes, and of what does not emit; low > high where there is nothing.
 struct Box {
     glm::dvec3 low{HUGE_VAL}, high{-HUGE_VAL};
@@ -185,23 +207,27 @@ std::vector<LightForm> choose_light_forms(const Scene& scene, bool all_samples, 
 std::vector<LightSample> sample_lights(const Scene& scene, const FlatScene& flat, const std::vector<LightForm>& forms, int count,
                                        std::uint64_t seed, std::uint64_t turn, const std::vector<LightReceiver>& receivers) {
     std::vector<LightSample> samples;
-    const double scale = flat.normalisation.scale;
-    for (const PointLight& light : scene.point_lights) {
+    for (std::size_t i = 0; i < scene.point_lights.size(); ++i)
+        samples.push_back(point_sample(scene.point_lights[i], flat.profile_tables[i], flat));
+    for (const DirectionalLight& light : scene.directional_lights) {
         LightSample s{};
-        s.position = float4(glm::vec3(flat.normalisation.to_scene(light.position)), 0.0F);
-        s.emission = float4(glm::vec3(glm::dvec3(light.intensity) / (scale * scale)), -1.0F);
+        s.position = float4(glm::vec3(light.direction), LIGHT_INFINITE);
+        s.emission = float4(light.irradiance, -1.0F);
         samples.push_back(s);
     }
+    // The sky's share of the samples is as if it lit the whole scene from outside.
+    const double sky = sampled_sky_power(flat.sky, flat.sky_texels) * cross_section(flat);
     // Each emitting shape gets samples in proportion to its power, at least one, spread over its triangles by area.
     std::vector<ShapeTriangles> emitters = emitting_shapes(scene, flat, forms, receivers);
-    double total = 0;
-    for (const ShapeTriangles& e : emitters) total += e.area * luminance(scene.shapes[e.shape].radiance);
+    double total = sky;
+    for (const ShapeTriangles& e : emitters) total += pi * e.area * luminance(scene.shapes[e.shape].radiance);
     for (const ShapeTriangles& e : emitters) {
         const glm::dvec3 radiance(scene.shapes[e.shape].radiance);
-        const double share = e.area * luminance(scene.shapes[e.shape].radiance) / total;
+        const double share = pi * e.area * luminance(scene.shapes[e.shape].radiance) / total;
         const long own = std::max(std::lround(share * count), 1L);
         sample_shape(e, flat, radiance, {own, hash64(seed) ^ e.shape, turn}, samples);
     }
+    if (sky > 0) sample_sky(flat.sky, flat.sky_texels, sky_samples(sky / total, count), seed, turn, samples);
     return samples;
 }
 
@@ -211,18 +237,19 @@ bool has_detailed_emitters(const Scene& scene, const FlatScene& flat, const std:
     return std::any_of(emitters.begin(), emitters.end(), [](const ShapeTriangles& e) { return e.triangles.size() > quad; });
 }
 
-std::vector<float> near_areas(const FlatScene& flat, const std::vector<LightSample>& samples) {
+std::vector<float> near_areas(const FlatScene& flat, const std::vector<LightSample>& samples, double factor) {
     std::vector<std::size_t> shape_of_plane(flat.planes.size());
     for (const Triangle& t : flat.triangles) shape_of_plane[static_cast<std::size_t>(t.plane)] = static_cast<std::size_t>(t.shape);
     std::vector<float> of_shape(static_cast<std::size_t>(flat.shape_count), std::numeric_limits<float>::infinity());
     for (const LightSample& s : samples) {
-        if (s.position.w == 0.0F) continue;  // point lights have no surface
+        if (s.position.w != LIGHT_AREA) continue;  // the others have no surface
         // A float holds the index; beyond 2^24 planes it may be rounded, but not out of the list.
         const auto plane = std::min(static_cast<std::size_t>(s.emission.w), shape_of_plane.size() - 1);
-        of_shape[shape_of_plane[plane]] = s.normal.w;
+        of_shape[shape_of_plane[plane]] = s.normal.w * static_cast<float>(factor);
     }
-    std::vector<float> areas(flat.materials.size(), std::numeric_limits<float>::infinity());
-    for (const Triangle& t : flat.triangles) areas[static_cast<std::size_t>(t.material)] = of_shape[static_cast<std::size_t>(t.shape)];
+    std::vector<float> areas;
+    for (const int shape : flat.row_shapes)
+        areas.push_back(shape < 0 ? std::numeric_limits<float>::infinity() : of_shape[static_cast<std::size_t>(shape)]);
     return areas;
 }
 

@@ -25,7 +25,7 @@ bool has_detailed_emitters(const Scene& scene, const FlatScene& flat, const std:
 
 /// Per row of materials: area over pi that each light sample of an emitter stands for [scene units^2]; infinite where there are none. Light
 /// samples carry the share r^2 / (r^2 + that) of the light to a point at distance r.
-std::vector<float> near_areas(const FlatScene& flat, const std::vector<LightSample>& samples);
+std::vector<float> near_areas(const FlatScene& flat, const std::vector<LightSample>& samples, double factor = 1);
 
 /// `automatic` per emitting shape: an emitter of more than large_emitter of the scene's surface is carried by the maps, unless it is so far from
 /// all that does not emit that it is small from there: its square distance more than far_emitter times its area. From there maps hardly see it.

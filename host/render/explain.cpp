@@ -30,7 +30,18 @@ std::vector<std::string> explain(const RenderContext& context) {
     if (!context.needs.maps.empty())
         lines.push_back(explain_paths(context.device_scene.triangle_count, context.needs.maps,
                                       static_cast<int>(device.info().compute_units), context.prepared));
-    if (!context.kernels.features().smooth)
+    const Features& features = context.kernels.features();
+    const auto left_out = [&](bool needed, const char* what) {
+        if (!needed) lines.push_back(std::string("left out: ") + what);
+    };
+    left_out(features.lobes, "lobes (no mirror, glass or gloss in the scene): chains of rays, 48 bytes a surfel, a program of kernels");
+    left_out(features.textures, "textures: texture coordinates, texels, look-ups");
+    left_out(features.blends, "blends and masks: choice among materials");
+    left_out(features.relief, "bump and normal maps");
+    left_out(features.clear, "clear things in shadows: rays to lights stop at the first surface");
+    left_out(features.sky, "environment: its map, look-ups where rays meet nothing, the background of the film");
+    left_out(features.wide_camera, "lenses and parallel rays: the film is seen from one point");
+    if (!features.smooth)
         lines.push_back("left out: shading normals (no vertex normals in the scene): buffer, interpolation and side test");
     if (context.options.bounces == 0) lines.push_back("left out: light samples and pencils (emission only)");
     return lines;

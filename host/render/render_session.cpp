@@ -24,6 +24,12 @@ void check_memory(const RenderOptions& options, const Device& device) {
                                       options.width, options.height, mebibytes(bytes), mebibytes(available)));
 }
 
+bool has_lobes(const Scene& scene) {
+    return std::any_of(
+        scene.materials.begin(), scene.materials.end(),
+        [](const SceneMaterial& m) { return m.model != MATERIAL_DIFFUSE && m.model != MATERIAL_BLEND; });
+}
+
 RenderOptions checked(const RenderOptions& options, const Scene& scene, const Device& device) {
     RenderOptions complete = resolve(options, scene);
     check_options(complete);  // the kernels rely on these limits, whoever calls
@@ -35,12 +41,14 @@ RenderOptions checked(const RenderOptions& options, const Scene& scene, const De
 
 RenderOptions resolve(const RenderOptions& options, const Scene& scene) {
     RenderOptions complete = options;
+    if (complete.target_error == target_of_scene) complete.target_error = standard_target(has_lobes(scene));
     if (complete.pencils == pencils_of_method) complete.pencils = standard_pencils(complete.method);
     // max_depth counts the emitter as the first vertex of a path.
     if (complete.bounces == bounces_of_scene) complete.bounces = scene.max_depth < 0 ? endless_bounces : std::max(scene.max_depth - 1, 0);
     if (complete.width <= 0) {
-        complete.width = scene.sensor.width;
-        complete.height = scene.sensor.height;
+        const PerspectiveSensor& sensor = scene.sensor;
+        complete.width = sensor.crop_width > 0 ? sensor.crop_width : sensor.width;
+        complete.height = sensor.crop_width > 0 ? sensor.crop_height : sensor.height;
     }
     return complete;
 }

@@ -33,7 +33,7 @@ SurfacePencils seed_pencils(Kernels& kernels, const FilmPixels& pixels, int spac
         const int cell = y / spacing * columns + x / spacing;
         if (seeded[static_cast<std::size_t>(cell)] || !pixels.shows(pixel)) continue;
         seeded[static_cast<std::size_t>(cell)] = true;
-        chosen.add(pixels.first_surfel[pixel], static_cast<uint>(pixel), glm::vec3(film.eye()));
+        chosen.add(pixels.first_surfel[pixel], static_cast<uint>(pixel), film.eye());
     }
     SurfacePencils seeds(kernels.device(), 1, map);
     place_surface_pencils(kernels, film.surfels(), chosen, seeds);
@@ -71,7 +71,7 @@ void FilmPencils::place(const std::vector<int>& pixels, int spacing) {
         const auto p = static_cast<std::size_t>(pixel);
         if (at_[p] >= 0 || !pixels_.shows(p)) continue;
         at_[p] = next++;
-        chosen.add(pixels_.first_surfel[p], static_cast<uint>(pixel), glm::vec3(film_.eye()));
+        chosen.add(pixels_.first_surfel[p], static_cast<uint>(pixel), film_.eye());
     }
     place_surface_pencils(kernels_, film_.surfels(), chosen, pencils_, spacing);
     pencil_at_.write(at_);
@@ -137,7 +137,7 @@ void FilmPencils::place_singles(const std::vector<unsigned char>& uncovered) {
             const int i = pixels_.first_surfel[pixel] + k;
             if (!uncovered[static_cast<std::size_t>(i)]) continue;
             at[static_cast<std::size_t>(i)] = static_cast<int>(chosen.surfels.size());
-            chosen.add(i, static_cast<uint>(pixel + static_cast<std::size_t>(k + 1) * at_.size()), glm::vec3(film_.eye()));
+            chosen.add(i, static_cast<uint>(pixel + static_cast<std::size_t>(k + 1) * at_.size()), film_.eye());
         }
     place_surface_pencils(kernels_, film_.surfels(), chosen, singles_);
     single_at_.write(at);

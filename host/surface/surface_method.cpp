@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 
 #include "pencils/low_discrepancy.h"
+#include "surface/add_reflections.h"
+#include "surface/light_lobes.h"
 #include "util/error.h"
 
 namespace pencil {
@@ -73,6 +76,40 @@ constexpr double mean_share = 0.1;
 constexpr int steady_passes = 64;
 constexpr double falling_share = 0.85;
 
+/// Chains along the lobes of a surfel of the film in a pass.
+constexpr int chains_per_surfel = 4;
+
+/// Surfels whose material scatters along lobes.
+std::vector<int> surfels_with_lobes(const Surfels& surfels, const std::vector<Material>& materials) {
+    static_assert(sizeof(int) == sizeof(float), "rows are stored as the bits of floats");
+    const std::vector<float> bits = surfels.data.read(
+        static_cast<std::size_t>(SURFEL_MATERIAL) * static_cast<std::size_t>(surfels.capacity), static_cast<std::size_t>(surfels.count));
+    std::vector<int> found;
+    for (std::size_t i = 0; i < bits.size(); ++i) {
+        int row = 0;
+        std::memcpy(&row, &bits[i], sizeof row);
+        if (row == PENCIL_NO_MATERIAL) continue;
+        const int model = materials[static_cast<std::size_t>(row < 0 ? ~row : row)].model;
+        if (model != MATERIAL_DIFFUSE) found.push_back(static_cast<int>(i));
+    }
+    return found;
+}
+
+std::vector<int> repeated(const std::vector<int>& values, int times) {
+    std::vector<int> all;
+    all.reserve(values.size() * static_cast<std::size_t>(times));
+    for (const int value : values) all.insert(all.end(), static_cast<std::size_t>(times), value);
+    return all;
+}
+
+/// `fewer`: of so many samples one is drawn.
+LobeLights lobe_lights(const RenderContext& context, const std::vector<LightSample>& samples, double fewer) {
+    const auto is_sky = [](const LightSample& s) { return s.position.w == LIGHT_INFINITE && s.normal.w > 0; };
+    const auto sky = static_cast<double>(std::count_if(samples.begin(), samples.end(), is_sky));
+    return {Buffer<float>(context.kernels.device(), near_areas(context.flat, samples, fewer), "near areas of emitters"),
+            static_cast<float>(sky / fewer)};
+}
+
 /// Layers of light: those of surfaces hardly gain from further passes.
 std::vector<std::string> light_layers(const std::vector<std::string>& aovs) {
     std::vector<std::string> layers;
@@ -106,7 +143,7 @@ SurfacePass surface_pass(int index, const RenderOptions& options, const Camera& 
 
 MethodNeeds surface_needs(const Scene&, const std::vector<LightForm>&, const RenderOptions&) {
     MethodNeeds needs;
-    needs.hierarchy = needs.rays_for_visibility = true;
+    needs.hierarchy = needs.rays_for_visibility = needs.lobes = true;
     return needs;
 }
 
@@ -152,9 +189,10 @@ void SurfaceMethod::place_world(const SurfacePass& pass, const FilmPixels& pixel
     const auto& device = context_.kernels.device();
     const std::uint64_t seed = hash64(hash64(context_.options.seed) + static_cast<std::uint64_t>(pass.world_set) + 1);
     const std::vector<LightSample> samples = sample_lights(context_.scene, context_.flat, context_.forms, pass.texel_light_samples, seed);
-    SurfaceLights lights{samples.empty() ? LightSet() : LightSet(device, samples, 0),
-                         Buffer<float>(device, near_areas(context_.flat, frame_->light_samples()), "near areas of emitters"),
-                         Buffer<float>(device, near_areas(context_.flat, samples), "near areas of emitters")};
+    SurfaceLights lights{samples.empty() ? LightSet() : LightSet(device, samples, 0), lobe_lights(context_, frame_->light_samples(), 1),
+                         Buffer<float>(device, near_areas(context_.flat, samples), "near areas of emitters"),
+                         lobe_lights(context_, samples, static_cast<double>(samples.size()) / light_draws),
+                         lobe_lights(context_, samples, static_cast<double>(samples.size()) / chain_draws)};
     // As many more pencils lie so much closer.
     const float guess =
         solver_ ? solver_->spacing() * std::sqrt(static_cast<float>(world_wish_) / static_cast<float>(pass.world.pencils)) : 0;
@@ -189,15 +227,32 @@ void SurfaceMethod::add_bounces(const SurfacePass& pass, const Turn& turn) {
     context_.clock.run("film pencils", [&] { film.refine(*solver_, points); });
     context_.stats.film_pencils += static_cast<std::uint64_t>(film.count());
     context_.clock.run("project film", [&] { film.project(frame_->outgoing()); });
+    if (context_.kernels.features().lobes) context_.clock.run("reflections", [&] { add_lobes(); });
     frame_->finish_bounce(FilmLayers::indirect, film.count(), 0);
     const double rays = film_rays_ = static_cast<double>(film.count()) * pass.lattice.map * pass.lattice.map;
     context_.clock.run("check error",
                        [&] { check_.add(frame_->film(), static_cast<int>(rays / rays_per_check), hash64(turn.seed + 1) + turn.index); });
 }
 
+/// What the film shows along the lobes of its surfaces: light samples on them, and chains that follow them.
+void SurfaceMethod::add_lobes() {
+    const Surfels& surfels = frame_->film().surfels();
+    const std::vector<int> with_lobes = surfels_with_lobes(surfels, context_.flat.materials);
+    if (with_lobes.empty()) return;
+    const auto& device = context_.kernels.device();
+    if (frame_->lights().maps.count > 0)
+        light_lobes(context_.kernels, context_.device_scene, surfels, Buffer<int>(device, with_lobes, "surfels with lobes"),
+                    frame_->lights(), frame_->outgoing());
+    const Buffer<int> starts(device, repeated(with_lobes, chains_per_surfel), "starts of chains");
+    Surfels chains(context_.kernels, static_cast<int>(starts.size()), "ends of chains");
+    const Buffer<float> radiance = solver_->follow(surfels, starts, chains);
+    add_reflections(context_.kernels, radiance, chains, starts, chains_per_surfel, surfels.capacity, frame_->outgoing());
+}
+
 double SurfaceMethod::estimated_error() const {
     if (mean_.count() == 0) return std::numeric_limits<double>::infinity();
-    return join_errors(caution(mean_.count()) * mean_.relative_mean_square_error(), certified_error());
+    const double error = join_errors(caution(mean_.count()) * mean_.relative_mean_square_error(), certified_error());
+    return std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
 }
 
 CertifiedError SurfaceMethod::certified_error() const { return mean_.count() > 0 ? check_.certify(mean_.beauty()) : CertifiedError(); }

@@ -48,6 +48,7 @@ public:
 private:
     bool add_pass(const SurfacePass& pass);
     void add_bounces(const SurfacePass& pass, const Turn& turn);
+    void add_lobes();
     void place_world(const SurfacePass& pass, const FilmPixels& pixels);
     int world_map() const;
     bool enough(double pace);

@@ -6,7 +6,9 @@
 #include "film/bounce_series.h"
 #include "pencils/low_discrepancy.h"
 #include "surface/close_series.h"
+#include "surface/emit_chains.h"
 #include "surface/emit_hemispheres.h"
+#include "surface/follow_surfels.h"
 #include "surface/measure_hemispheres.h"
 #include "surface/project_contacts.h"
 #include "surface/sample_lights.h"
@@ -46,7 +48,7 @@ SurfaceSolver::SurfaceSolver(Kernels& kernels, const DeviceScene& scene, Surface
       quality_(quality),
       clock_(clock),
       seed_(seed),
-      world_(kernels, scene, quality.pencils, seed_) {}
+      world_(kernels, scene, quality.pencils, seed_, lights_.drawn) {}
 
 void SurfaceSolver::place(const SurfacePencils& seeds, float spacing) {
     clock_.run(
@@ -76,16 +78,32 @@ void SurfaceSolver::reserve(Gathered& gathered, int texels) {
 }
 
 /// Adds reflected light of the light samples.
-void SurfaceSolver::light(const Surfels& surfels, Buffer<float>& outgoing, uint seed) {
+void SurfaceSolver::light(const Surfels& surfels, int draws, Buffer<float>& outgoing, uint seed) {
     const int count = lights_.samples.maps.count;
-    if (count > 0)
-        sample_lights(kernels_, scene_, surfels, lights_.samples, std::max(count / most_candidates, 1), quality_.light_draws, seed,
-                      outgoing);
+    if (count > 0) sample_lights(kernels_, scene_, surfels, lights_.samples, std::max(count / most_candidates, 1), draws, seed, outgoing);
 }
 
+/// Each gather draws others.
+uint SurfaceSolver::next_seed() { return static_cast<uint>(hash64((std::uint64_t{seed_} << 32) + ++gathers_) >> 32); }
+
 /// Adds reflected light of the light samples that this gather draws.
-void SurfaceSolver::light(Gathered& gathered) {
-    light(gathered.surfels, gathered.outgoing, static_cast<uint>(hash64((std::uint64_t{seed_} << 32) + ++gathers_) >> 32));
+void SurfaceSolver::light(Gathered& gathered) { light(gathered.surfels, quality_.light_draws, gathered.outgoing, next_seed()); }
+
+/// Surfels with lobes become what these show.
+void SurfaceSolver::follow(Surfels& surfels) {
+    if (kernels_.features().lobes) follow_surfels(kernels_, scene_, {lights_.drawn, lights_.drawn}, 0, next_seed(), surfels);
+}
+
+Buffer<float> SurfaceSolver::follow(const Surfels& film, const Buffer<int>& starts, Surfels& chains) {
+    Buffer<float> radiance = surfel_rgb(kernels_.device(), chains.capacity, "radiance of chains");
+    follow_surfels(kernels_, scene_, film, starts, {lights_.film, lights_.chains}, next_seed(), chains);
+    emit_chains(kernels_, scene_, chains, radiance);
+    if (direct_) light(chains, chain_draws, radiance, next_seed());
+    if (const SurfacePencils& world = world_.pencils(); world.count > 0) {
+        Buffer<unsigned char> unused(kernels_.device(), static_cast<std::size_t>(chains.capacity), "no contacts");
+        project_surface_pencils(kernels_, chains, world, world.irradiance, world_.grid(), {world, 0}, 0, radiance, unused);
+    }
+    return radiance;
 }
 
 void SurfaceSolver::gather(SurfacePencils& pencils, int first, int count, const TexelPoints& points) {
@@ -96,7 +114,8 @@ void SurfaceSolver::gather(SurfacePencils& pencils, int first, int count, const 
         reserve(seen_, part * pencils.texels());
         trace_hemispheres(kernels_, scene_, pencils, at, part, points, surfels);
         measure_hemispheres(kernels_, surfels, 0, at, part, pencils);
-        emit_hemispheres(kernels_, scene_, surfels, pencils, at, lights_.near_film, outgoing);
+        follow(surfels);
+        emit_hemispheres(kernels_, scene_, surfels, pencils, at, lights_.film.near, outgoing);
         if (direct_) light(seen_);
         if (const SurfacePencils& world = world_.pencils(); world.count > 0) {
             project_surface_pencils(kernels_, surfels, world, world.irradiance, world_.grid(), {pencils, at}, contacts_ ? nearness : 0,
@@ -119,6 +138,7 @@ void SurfaceSolver::gather_contacts(const Viewers& viewers, int count, const Tex
     reserve(beyond_, pencils.count * pencils.texels());
     auto& [surfels, outgoing, unused] = beyond_;
     trace_hemispheres(kernels_, scene_, pencils, 0, pencils.count, points, surfels);
+    follow(surfels);
     emit_hemispheres(kernels_, scene_, surfels, pencils, 0, lights_.near_texel, outgoing);
     light(beyond_);
     const SurfacePencils& world = world_.pencils();
@@ -133,7 +153,7 @@ void SurfaceSolver::sum_light(bool emission, bool direct, Buffer<float4>& irradi
     const SurfacePencils& pencils = world_.pencils();
     Buffer<float> outgoing = surfel_rgb(kernels_.device(), world_.surfels().capacity, "radiance to the world set");
     if (emission) emit_hemispheres(kernels_, scene_, world_.surfels(), world_.starts(), 0, lights_.near_texel, outgoing);
-    if (direct) light(world_.surfels(), outgoing, seed_);
+    if (direct) light(world_.surfels(), quality_.light_draws, outgoing, seed_);
     sum_hemispheres(kernels_, outgoing, world_.surfels().capacity, 0, 0, pencils.count, world_.map(), irradiance);
 }
 

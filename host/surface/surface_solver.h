@@ -3,10 +3,14 @@
 
 #include "device/pencil_set.h"
 #include "device/stage_clock.h"
+#include "surface/follow_surfels.h"
 #include "surface/project_surface_pencils.h"
 #include "surface/world_set.h"
 
 namespace pencil {
+
+/// Light samples that a packet of chains of the film draws: each chain is seen by itself.
+constexpr int chain_draws = 8;
 
 /// How finely the world set is sampled.
 struct WorldQuality {
@@ -16,8 +20,11 @@ struct WorldQuality {
 
 /// What lights surface pencils.
 struct SurfaceLights {
-    LightSet samples;                     // that texels draw from
-    Buffer<float> near_film, near_texel;  // near_areas of the film's light samples and of those
+    LightSet samples;          // that texels draw from
+    LobeLights film;           // near_areas of the film's light samples
+    Buffer<float> near_texel;  // and of those
+    LobeLights drawn;          // the latter as texels draw them: few of all,
+    LobeLights chains;         // and as chains of the film do: some more
 };
 
 class SurfaceSolver {
@@ -34,6 +41,10 @@ public:
     /// What pencils first .. first + count of a set see and receive, after solve().
     void gather(SurfacePencils& pencils, int first, int count, const TexelPoints& points);
 
+    /// What chains of lobes that start on surfels `starts` of the film find: radiance[3][capacity of `chains`] that they carry [W m^-2 sr^-1],
+    /// emission and reflections.
+    Buffer<float> follow(const Surfels& film, const Buffer<int>& starts, Surfels& chains);
+
     const SurfacePencils& world() const { return world_.pencils(); }
     float spacing() const { return world_.spacing(); }
     bool stopped() const { return clock_.stopped(); }
@@ -47,8 +58,10 @@ private:
         Buffer<unsigned char> contact;
     };
     void sum_light(bool emission, bool direct, Buffer<float4>& irradiance);
-    void light(const Surfels& surfels, Buffer<float>& outgoing, uint seed);
+    void light(const Surfels& surfels, int draws, Buffer<float>& outgoing, uint seed);
     void light(Gathered& gathered);
+    void follow(Surfels& surfels);
+    uint next_seed();
     void iterate(int orders, double tolerance);
     void reserve(Gathered& gathered, int texels);
     void gather_contacts(const Viewers& viewers, int count, const TexelPoints& points);

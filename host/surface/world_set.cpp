@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "pencils/low_discrepancy.h"
+#include "surface/follow_surfels.h"
 #include "surface/measure_hemispheres.h"
 
 namespace pencil {
@@ -50,9 +51,10 @@ constexpr std::size_t visit_stride = 7919;
 
 }  // namespace
 
-WorldSet::WorldSet(Kernels& kernels, const DeviceScene& scene, int wish, uint seed)
+WorldSet::WorldSet(Kernels& kernels, const DeviceScene& scene, int wish, uint seed, const LobeLights& lights)
     : kernels_(kernels),
       scene_(scene),
+      lights_(lights),
       wish_(wish),
       seed_(seed),
       pencils_(kernels.device(), wish, world_map),
@@ -64,6 +66,7 @@ void WorldSet::cover(const SurfacePencils& seeds, float spacing) {
     seeds_ = seeds.count;
     seen_surfels_.reserve(kernels_.device(), seeds_ * pencils_.texels(), seen_name);
     trace_hemispheres(kernels_, scene_, seeds, 0, seeds_, {seed_}, seen_surfels_);
+    follow(0, seed_, seen_surfels_);
     seen_.read_pencils(seeds);
     seen_.read_points(seen_surfels_);
     PointThinner thinner(widest, alike);
@@ -81,6 +84,11 @@ void WorldSet::cover(const SurfacePencils& seeds, float spacing) {
     fill({fill_spacing * spacing_, most(most_fill)});
     shared_ = SharedPoints(seen_.points(), link_seen(), static_cast<std::size_t>(pencils_.count), static_cast<std::size_t>(seeds_),
                            static_cast<std::size_t>(pencils_.texels()));
+}
+
+/// Surfels from number `first` on that have lobes become what these show.
+void WorldSet::follow(int first, uint seed, Surfels& surfels) const {
+    if (kernels_.features().lobes) follow_surfels(kernels_, scene_, {lights_, lights_}, first, seed, surfels);
 }
 
 /// Puts more pencils where what is seen lies beyond the reach of all: behind edges, in corners and near contacts.
@@ -115,6 +123,7 @@ void WorldSet::gather(int map, std::uint64_t seed) {
     const int texels = pencils_.count * map * map;
     if (surfels_.capacity < texels) surfels_ = Surfels(kernels_, texels, "surfels of the world set");
     trace_hemispheres(kernels_, scene_, starts_, 0, starts_.count, {static_cast<uint>(hash64(seed) >> 32)}, surfels_, 0, map);
+    follow(0, static_cast<uint>(hash64(seed + 1) >> 32), surfels_);
     links_ = link_surfels(kernels_, surfels_, pencils_, grid_);
 }
 
@@ -190,6 +199,7 @@ void WorldSet::extend(const ChosenSurfels& chosen) {
     const int at = (seeds_ + first) * texels;
     trace_hemispheres(kernels_, scene_, pencils_, first, count, {seed_}, seen_surfels_, at);
     measure_hemispheres(kernels_, seen_surfels_, at, first, count, pencils_);
+    follow(at, seed_, seen_surfels_);
     seen_.read_pencils(pencils_);
     seen_.read_points(seen_surfels_);
 }

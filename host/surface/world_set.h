@@ -3,6 +3,7 @@
 #pragma once
 
 #include "pencils/thin_points.h"
+#include "surface/follow_surfels.h"
 #include "surface/link_surfels.h"
 #include "surface/place_surface_pencils.h"
 #include "surface/seen_points.h"
@@ -13,8 +14,9 @@ namespace pencil {
 
 class WorldSet {
 public:
-    /// `wish`: about so many pencils if every surface reflects light that matters; `seed`: of the points within texels.
-    WorldSet(Kernels& kernels, const DeviceScene& scene, int wish, uint seed);
+    /// `wish`: about so many pencils if every surface reflects light that matters; `seed`: of the points within texels; `lights`: that chains of lobes meet, which must
+    /// outlive the set.
+    WorldSet(Kernels& kernels, const DeviceScene& scene, int wish, uint seed, const LobeLights& lights);
 
     /// Places pencils on what the texels of `seeds` see, then on what those see, and so on, until all that is seen is covered. `spacing`: a
     /// guess of spacing(), 0: none.
@@ -50,11 +52,13 @@ private:
     ChosenSurfels choose(int first, Spacing spacing, PointThinner& thinner, const std::vector<bool>& skip = {}) const;
     void extend(const ChosenSurfels& chosen);
     void fill(const Spacing& spacing);
+    void follow(int first, uint seed, Surfels& surfels) const;
     PointLinks link_seen();
     std::vector<SurfacePencil> pencils_on_host() const;
 
     Kernels& kernels_;
     const DeviceScene& scene_;
+    const LobeLights& lights_;
     int wish_;
     uint seed_;
     SurfacePencils pencils_;

@@ -7,12 +7,14 @@
 #include "lib/footprint.cl"
 #include "lib/packet.cl"
 #include "lib/rays.cl"
+#include "lib/shadow.cl"
 #include "lib/surfel_packet.cl"
 #include "lib/triangle.cl"
 #include "lib/visibility.cl"
 #include "shared/atlas.h"
 #include "shared/bvh.h"
 #include "shared/geometry.h"
+#include "shared/light.h"
 
 /// A shadow ray passes planes that its surfel is beyond by less than this: rounding of positions [scene units].
 #define SHADOW_TOLERANCE 1e-7f
@@ -104,16 +106,23 @@ static inline bool centre_is_far(const SurfelPacket *s, float4 cop) {
 }
 
 /// Those of `open` that are seen from a far `cop`.
-static inline int settle_from_surfels(const SurfelPacket *s, const VisibilityMap *map, float4 cop, int open) {
+static inline vfloat share_from_surfels(const SurfelPacket *s, const VisibilityMap *map, float4 cop, int open) {
     vfloat end = select((vfloat)(-1.0f), (vfloat)(FAR_END), PACKET_FROM_BITS(open));
     LaneRays rays = lane_rays(s->x, s->y, s->z, cop.x - s->x, cop.y - s->y, cop.z - s->z, s->plane, end);
-    lanes_trace(&rays, true, map->nodes, map->leaves, map->triangles, map->planes);
-    return open & ~PACKET_BITS(PACKET_MASK(rays.triangle >= 0));
+    return rays_share(&rays, open, map->scene, map->nodes, map->leaves, map->triangles, map->planes);
+}
+
+/// Those of `open` that light travelling in direction d from infinitely far away reaches.
+static inline vfloat share_along(const SurfelPacket *s, const VisibilityMap *map, float3 d, int open) {
+    if (!open) return 0.0f;
+    vfloat end = select((vfloat)(-1.0f), (vfloat)(INFINITY), PACKET_FROM_BITS(open));
+    LaneRays rays = lane_rays(s->x, s->y, s->z, (vfloat)(-d.x), (vfloat)(-d.y), (vfloat)(-d.z), s->plane, end);
+    return rays_share(&rays, open, map->scene, map->nodes, map->leaves, map->triangles, map->planes);
 }
 
 /// Those of `open` that are seen from `cop`, by rays through the hierarchy of the scene.
 static inline int settle_by_rays(const SurfelPacket *s, const VisibilityMap *map, float4 cop, int open) {
-    if (open && centre_is_far(s, cop)) return settle_from_surfels(s, map, cop, open);
+    if (open && centre_is_far(s, cop)) return PACKET_BITS(PACKET_MASK(share_from_surfels(s, map, cop, open) > 0.0f));
     RayPacket rays = ray_packet(s->x - cop.x, s->y - cop.y, s->z - cop.z);
     int stack[BVH_MOST_LEVELS + 1];
     int depth = 0;
@@ -200,4 +209,23 @@ static inline int packet_visible(const SurfelPacket *s, const VisibilityMap *map
     vint shown = (PACKET_MASK(first == s->plane) | PACKET_MASK(second == s->plane)) & PACKET_MASK(second >= -1);
     int seen = aimed->faces & PACKET_BITS(shown), open = aimed->faces & ~seen;
     return open ? seen | settle_by_planes(s, map, &aimed->f, tile, cop, first, second, open) : seen;
+}
+
+/// The share of light of a sample that reaches those of `open` lanes, by rays.
+static inline vfloat sample_share_by_rays(const SurfelPacket *s, const VisibilityMap *map, global const LightSample *sample, int open) {
+    float4 cop = (float4)(sample->position.xyz, 0.0f);
+    if (PENCIL_FAR_LIGHT && sample->position.w == LIGHT_INFINITE) return share_along(s, map, cop.xyz, open);
+#if PENCIL_CLEAR
+    return open ? share_from_surfels(s, map, cop, open) : (vfloat)(0.0f);
+#else
+    return select((vfloat)(0.0f), (vfloat)(1.0f), PACKET_FROM_BITS(settle_by_rays(s, map, cop, open)));
+#endif
+}
+
+/// The same for an aimed packet, by rays or by the map of sample number i.
+static inline vfloat sample_share(const SurfelPacket *s, const VisibilityMap *map, const Aimed *aimed, int i,
+                                  global const LightSample *sample) {
+    if (PENCIL_BVH) return sample_share_by_rays(s, map, sample, aimed->faces);
+    float4 cop = (float4)(sample->position.xyz, 0.0f);
+    return select((vfloat)(0.0f), (vfloat)(1.0f), PACKET_FROM_BITS(packet_visible(s, map, aimed, i, cop)));
 }

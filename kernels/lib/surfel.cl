@@ -1,69 +1,85 @@
-// Builds one surfel from a hit.
+// Surfels in memory (shared/surfel.h).
 
-#include "lib/brdf.cl"
-#include "lib/triangle.cl"
+#include "lib/surfaces.cl"
 #include "shared/geometry.h"
-#include "shared/material.h"
 #include "shared/surfel.h"
 
-/// Barycentric weights of the line through `cop` along `direction`, from the rasteriser's own edge functions.
-static inline float3 hit_barycentric(global const Triangle *t, float4 cop, float4 direction) {
-    float4 a = t->v0 - cop, b = t->v1 - cop, c = t->v2 - cop;
-    float3 e = (float3)(dot(edge_normal(b, c).xyz, direction.xyz), dot(edge_normal(c, a).xyz, direction.xyz),
-                        dot(edge_normal(a, b).xyz, direction.xyz));
-    return e / (e.x + e.y + e.z);
-}
+/// What a surfel says of the chain of lobes through which it is seen.
+typedef struct Throughput {
+    float3 factor;
+    float share;  // SURFEL_SHARE
+} Throughput;
 
-/// omega_o (brdf.cl) of a surface with normal n that is seen along `towards`, for models whose albedo depends on its height alone.
-static inline float3 seen_from(float3 n, float3 towards) {
-    float z = clamp(dot(n, towards), 0.0f, 1.0f);
-    return (float3)(sqrt(1.0f - z * z), 0.0f, z);
-}
-
-/// Writes surfel `i` of a buffer of `capacity` surfels: what the ray from `cop` along `direction` meets at 1 / hit.disparity.
-static inline void write_surfel(global float *surfels, int capacity, int i, Hit hit, float4 cop, float4 direction,
-                                global const Triangle *triangles, global const float4 *planes, global const Material *materials,
-                                global const float4 *normals) {
+/// Writes surfel `i` of a buffer of `capacity` surfels.
+static inline void store_vertex(global float *surfels, int capacity, int i, const Vertex *v, Throughput t) {
     global float *s = surfels + i;
-    if (hit.triangle < 0) {
-        for (int f = 0; f < SURFEL_FIELDS_WITH(PENCIL_OUTGOING); ++f) s[(size_t)f * capacity] = 0.0f;
-        s[(size_t)SURFEL_PLANE * capacity] = as_float(-1);
-        s[(size_t)SURFEL_MATERIAL * capacity] = as_float(PENCIL_NO_MATERIAL);
-        return;
-    }
-    global const Triangle *t = triangles + hit.triangle;
-    float4 plane = planes[t->plane];
-    float4 p = cop + direction / hit.disparity;
-    bool front = plane_ahead(plane, cop) < 0.0f;  // the plane lies behind its own normal as seen from the centre
-    float3 g = front ? plane.xyz : -plane.xyz;
-    float3 n = g;
-    if (PENCIL_SMOOTH) {
-        float3 w = hit_barycentric(t, cop, direction);
-        global const float4 *corner = normals + 3 * hit.triangle;
-        float3 m = w.x * corner[0].xyz + w.y * corner[1].xyz + w.z * corner[2].xyz;
-        if (dot(m, m) > 0.0f) n = normalize(front ? m : -m);
-    }
-    global const Material *material = materials + t->material;
-    float reflects = front || material->albedo.w != 0.0f ? 1.0f : 0.0f;
-    float3 towards = PENCIL_OUTGOING ? -normalize(direction.xyz) : n;  // no model looks at it if it is not carried
-    float3 albedo = brdf_albedo(material, seen_from(n, towards));
-    float values[SURFEL_FIELDS] = {p.x,
-                                   p.y,
-                                   p.z,
-                                   n.x,
-                                   n.y,
-                                   n.z,
-                                   as_float(t->plane),
-                                   reflects * albedo.x,
-                                   reflects * albedo.y,
-                                   reflects * albedo.z,
-                                   as_float(front ? t->material : ~t->material),
-                                   g.x,
-                                   g.y,
-                                   g.z};
-    for (int f = 0; f < SURFEL_FIELDS; ++f) s[(size_t)f * capacity] = values[f];
+    size_t c = capacity;
+    float3 albedo = PENCIL_OUTGOING ? v->albedo * t.factor : v->albedo;
+    float values[SURFEL_FIELDS] = {v->x.x,   v->x.y,   v->x.z,   v->n.x,           v->n.y, v->n.z, as_float(v->plane),
+                                   albedo.x, albedo.y, albedo.z, as_float(v->row), v->g.x, v->g.y, v->g.z};
+    for (int f = 0; f < SURFEL_FIELDS; ++f) s[f * c] = values[f];
     if (!PENCIL_OUTGOING) return;
-    s[(size_t)SURFEL_OX * capacity] = towards.x;
-    s[(size_t)SURFEL_OY * capacity] = towards.y;
-    s[(size_t)SURFEL_OZ * capacity] = towards.z;
+    bool lobes = v->bsdf.model != MATERIAL_DIFFUSE;
+    float3 specular = lobes ? v->bsdf.specular : (float3)(0.0f);
+    float more[SURFEL_FIELDS_WITH(1) - SURFEL_FIELDS] = {v->o.x,
+                                                         v->o.y,
+                                                         v->o.z,
+                                                         t.factor.x,
+                                                         t.factor.y,
+                                                         t.factor.z,
+                                                         t.share,
+                                                         specular.x,
+                                                         specular.y,
+                                                         specular.z,
+                                                         lobes ? v->bsdf.alpha : 0.0f,
+                                                         lobes ? v->bsdf.metallic : 0.0f};
+    for (int f = 0; f < SURFEL_FIELDS_WITH(1) - SURFEL_FIELDS; ++f) s[(SURFEL_FIELDS + f) * c] = more[f];
+}
+
+/// Writes surfel `i`: what the ray from `cop` along `direction` meets at 1 / hit.disparity; bits: random, for blends.
+static inline void write_surfel(global float *surfels, int capacity, int i, Hit hit, float4 cop, float4 direction, const Surfaces *scene,
+                                uint bits) {
+    Throughput all = {(float3)(1.0f), -1.0f};
+    Vertex v = hit.triangle < 0 ? meet_nothing(direction.xyz) : meet_surface(scene, hit, cop, direction, bits);
+    store_vertex(surfels, capacity, i, &v, all);
+}
+
+static inline float3 surfel_vector(global const float *surfels, size_t capacity, int i, int field) {
+    global const float *s = surfels + i;
+    return (float3)(s[field * capacity], s[(field + 1) * capacity], s[(field + 2) * capacity]);
+}
+
+/// The surfel as it was stored; the albedo holds the throughput. tables: texels of textures. Needs PENCIL_OUTGOING.
+static inline Vertex load_vertex(global const float *surfels, size_t capacity, int i, global const Material *materials,
+                                 global const half *tables) {
+    Vertex v;
+    v.x = surfel_vector(surfels, capacity, i, SURFEL_X);
+    v.n = surfel_vector(surfels, capacity, i, SURFEL_NX);
+    v.g = surfel_vector(surfels, capacity, i, SURFEL_GX);
+    v.o = surfel_vector(surfels, capacity, i, SURFEL_OX);
+    v.albedo = surfel_vector(surfels, capacity, i, SURFEL_ALBEDO_R);
+    v.plane = as_int(surfels[SURFEL_PLANE * capacity + i]);
+    v.row = as_int(surfels[SURFEL_MATERIAL * capacity + i]);
+    v.bsdf.model = MATERIAL_DIFFUSE;
+    if (v.plane < 0 || v.row == PENCIL_NO_MATERIAL) return v;
+    bool front = v.row >= 0;
+    global const Material *m = materials + (front ? v.row : ~v.row);
+    if (!side_scatters(m, front)) return v;
+    Bsdf b = {m->model,
+              m->flags,
+              m->albedo.xyz,
+              surfel_vector(surfels, capacity, i, SURFEL_SR),
+              m->transmitted.xyz,
+              side_index(m, front),
+              m->k.xyz,
+              surfels[SURFEL_ALPHA * capacity + i],
+              m->eta.w,
+              m->varnish,
+              tables,
+              surfels[SURFEL_METALLIC * capacity + i],
+              m->parameters[1],
+              m->parameters[2],
+              m->gloss};
+    v.bsdf = b;
+    return v;
 }

@@ -8,6 +8,7 @@
 //   3. otherwise x is hidden if texels of more than half the bilinear weight hide it (hiding_weight).
 
 #include "lib/octahedral.cl"
+#include "lib/surfaces.cl"
 #include "lib/triangle.cl"
 #include "shared/bvh.h"
 #include "shared/geometry.h"
@@ -22,6 +23,7 @@ typedef struct VisibilityMap {
     int n;
     global const BvhNode *nodes;  // with PENCIL_BVH, and then only these and the scene
     global const int *leaves;
+    const Surfaces *scene;
 } VisibilityMap;
 
 /// True if the segment from cop to x crosses triangle `index` or one of its mates in front of x.

@@ -18,11 +18,23 @@
 #define SURFEL_GZ 13
 #define SURFEL_FIELDS 14  // that every surfel has
 
-// Where the reflection of some material depends on it (Features::outgoing, on the device PENCIL_OUTGOING):
-#define SURFEL_OX 14  // unit direction from the surface to where it was seen from, zero if nothing was
+// Of scenes with lobes or light from infinitely far away (Features::outgoing, on the device PENCIL_OUTGOING):
+#define SURFEL_OX 14  // unit direction from the surface to where it was seen from; where nothing was seen against the ray
 #define SURFEL_OY 15
 #define SURFEL_OZ 16
+// What a chain of mirrors and glossy surfaces does to light from here on its way to where the surfel counts (follow_surfels.cl); 1 without
+// one. The albedo includes it.
+#define SURFEL_TR 17
+#define SURFEL_TG 18
+#define SURFEL_TB 19
+#define SURFEL_SHARE 20  // of sampled emitters' light that such a chain carries, the rest are light samples'; -1: there is no chain
+// Lobes of the surface, without that factor.
+#define SURFEL_SR 21  // factor of reflection; principled: base colour
+#define SURFEL_SG 22
+#define SURFEL_SB 23
+#define SURFEL_ALPHA 24     // roughness
+#define SURFEL_METALLIC 25  // principled
 // Number of fields, with or without them.
-#define SURFEL_FIELDS_WITH(outgoing) ((outgoing) ? 17 : SURFEL_FIELDS)
+#define SURFEL_FIELDS_WITH(outgoing) ((outgoing) ? 26 : SURFEL_FIELDS)
 
 #define PENCIL_NO_MATERIAL 0x7fffffff

@@ -47,6 +47,7 @@ void resolve(benchmark::State& state) {
     const Buffer<unsigned char> slots(device(), pixels.slots, "slots"), counts(device(), pixels.counts, "counts");
     const Buffer<int> first(device(), pixels.first_surfel, "first surfels");
     Buffer<float> image(device(), pixels.counts.size() * 3, "image");
+    const Buffer<float> nothing(device(), 1, "no background");
     std::vector<float> native_image(image.size());
     const native::FilmView view{pixels.slots.data(),
                                 pixels.counts.data(),
@@ -67,7 +68,8 @@ void resolve(benchmark::State& state) {
          {"resolve bench film"}},
         [&] {
             bench.kernels.get("resolve_film")
-                .args(device_values, 0, capacity, slots, counts, first, weights, totals, table.reach, samples, side, side, image)
+                .args(device_values, 0, capacity, slots, counts, first, weights, totals, table.reach, samples, side, side, nothing, 0,
+                      image)
                 .run(pixels.counts.size(), "resolve bench film");
         },
         [&] { native::resolve_film(view, values.data(), static_cast<std::size_t>(capacity), native_image.data()); },

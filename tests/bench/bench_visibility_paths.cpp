@@ -32,7 +32,7 @@ struct Subject {
     explicit Subject(const std::string& name)
         : scene(load_scene(PENCIL_SOURCE_DIR "/scenes/" + name + ".xml", {})),
           flat(flatten(scene, choose_light_forms(scene, true, false), 8, 8)),
-          kernels(device(), scene_features(flat, sizes().film_samples)) {
+          kernels(device(), scene_features(flat, sizes().film_samples, false)) {
         Stopwatch watch;
         const Clusters clusters = cluster_triangles(flat.triangles);
         seconds[1] = watch.seconds();

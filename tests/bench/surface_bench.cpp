@@ -38,9 +38,10 @@ void repack(const DeviceGrid& grid, std::vector<int>& starts, std::vector<float>
     starts.push_back(static_cast<int>(entries.size() / (ENTRY_FIELDS * lanes)));
 }
 
-WorldSet covered(Kernels& kernels, const DeviceScene& scene) {
+/// `lights`: none, since nothing has lobes.
+WorldSet covered(Kernels& kernels, const DeviceScene& scene, const LobeLights& lights) {
     const Workbench& bench = workbench();
-    WorldSet world(kernels, scene, sizes().world, 0);
+    WorldSet world(kernels, scene, sizes().world, 0, lights);
     world.cover(seed_pencils(kernels, FilmPixels(bench.film), std::min(seed_spacing, sizes().film / 4), world_map));
     world.gather(world_map, 0);
     return world;
@@ -53,7 +54,7 @@ WorldBench::WorldBench()
       bvh(build_bvh(workbench().flat.triangles)),
       scene(device(), workbench().flat, bvh),
       lights(device(), workbench().lights.samples.read(), 0),
-      world(covered(kernels, scene)),
+      world(covered(kernels, scene, lobe_lights)),
       host_surfels(world.surfels()),
       pencils(world.pencils().data.read(0, static_cast<std::size_t>(world.pencils().count))),
       irradiance(varied(world.pencils().count)) {

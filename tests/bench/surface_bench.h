@@ -22,6 +22,7 @@ struct WorldBench {
     Bvh bvh;
     DeviceScene scene;  // with its hierarchy
     LightSet lights;    // without maps: rays settle them
+    LobeLights lobe_lights;
     WorldSet world;
     HostSurfels host_surfels;            // what the pencils' texels see
     std::vector<SurfacePencil> pencils;  // of the world set

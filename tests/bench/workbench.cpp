@@ -34,9 +34,9 @@ LightSet make_lights(Kernels& kernels, const DeviceScene& on_device, const Scene
 Workbench::Workbench()
     : scene(cornell_box()),
       flat(flatten(scene, sampled(scene), sizes().film, sizes().film)),
-      kernels(device(), scene_features(flat, options().film_samples)),
+      kernels(device(), scene_features(flat, options().film_samples, false)),
       on_device(device(), flat),
-      film(kernels, on_device, flat.camera, scene.sensor.filter, Turn()),
+      film(kernels, on_device, FilmCamera{flat.camera, glm::vec3(flat.eye)}, scene.sensor.filter, Turn()),
       lights(make_lights(kernels, on_device, scene, flat)) {
     const RenderOptions settings = options();
     StageClock clock(device(), {});

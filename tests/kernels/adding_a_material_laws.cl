@@ -1,4 +1,4 @@
-// The laws of models (brdf_laws.h) for the one of docs/adding_a_material.md.
+// The laws of models (bsdf_laws.h) for the one of docs/adding_a_material.md.
 
 #include "adding_a_material.cl"
-#include "test_brdf.cl"
+#include "test_bsdf.cl"

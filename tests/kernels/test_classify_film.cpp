@@ -45,8 +45,8 @@ Classified classify(TestScene scene, const TestCamera& view, int samples, uint s
     const Buffer<int> first_surfel(device(), first, "first surfels");
     Surfels surfels(device(), next, "surfels");
     kernels.get("film_surfels")
-        .args(hits, view.camera, positions, samples, 0, rows, seed, shift, slots, counts, first_surfel, s.triangles, s.planes, s.materials,
-              s.normals, surfels.data, surfels.capacity)
+        .args(hits, view.camera, positions, samples, 0, rows, seed, shift, slots, counts, first_surfel, s.surfaces(), surfels.data,
+              surfels.capacity)
         .run(pixels, "film surfels");
     return {hits.read(), slots.read(), counts.read(), first, offsets, HostSurfels(surfels)};
 }

@@ -13,7 +13,7 @@ using namespace pencil::test;
 Kernels kernels_with(bool outgoing) {
     Features features;
     features.film_samples = 4;
-    features.outgoing = outgoing;
+    features.lobes = outgoing;
     return Kernels(device(), features);
 }
 
@@ -29,17 +29,19 @@ template <typename Viewer>
 void check(const Surfels& off, const Surfels& on, const Viewer& viewer) {
     const HostSurfels without(off), with(on);
     ASSERT_EQ(without.data.size(), without.capacity * SURFEL_FIELDS) << "nothing is allocated for it";
-    ASSERT_EQ(with.data.size(), with.capacity * (SURFEL_FIELDS + 3));
+    ASSERT_EQ(with.data.size(), with.capacity * SURFEL_FIELDS_WITH(true));
     ASSERT_EQ(with.count, without.count);
     for (int f = 0; f < SURFEL_FIELDS; ++f) ASSERT_EQ(field_bits(with, f), field_bits(without, f)) << "field " << f;
     int seen = 0;
     for (int i = 0; i < with.count; ++i) {
         const dvec3 outgoing = with.vector(SURFEL_OX, i);
         if (with.plane(i) < 0) {
-            ASSERT_EQ(outgoing, dvec3(0.0));
+            ASSERT_NEAR(glm::length(outgoing), 1.0, tolerance::few_operations) << "against the ray, for what is infinitely far away";
             continue;
         }
         ++seen;
+        ASSERT_EQ(with.vector(SURFEL_TR, i), dvec3(1.0)) << "no chain";
+        ASSERT_EQ(with.at(SURFEL_SHARE, i), -1.0F);
         const dvec3 to_viewer = viewer(i) - with.position(i);
         // The stored position is rounded: near the viewer that turns the direction to it.
         const double bound = tolerance::few_operations * (1.0 + 1.0 / glm::length(to_viewer));
@@ -73,8 +75,9 @@ TEST(Outgoing, OfTheFilm) {
     scene.flat.to_film = view.to_film;
     const DeviceScene on_device(device(), scene.flat);
     Kernels off_kernels = kernels_with(false), on_kernels = kernels_with(true);
-    const Film off(off_kernels, on_device, view.camera, ReconstructionFilter{}, Turn{}),
-        on(on_kernels, on_device, view.camera, ReconstructionFilter{}, Turn{});
+    const FilmCamera camera{view.camera, glm::vec3(view.origin)};
+    const Film off(off_kernels, on_device, camera, ReconstructionFilter{}, Turn{}),
+        on(on_kernels, on_device, camera, ReconstructionFilter{}, Turn{});
     check(off.surfels(), on.surfels(), [&](int) { return view.origin; });
 }
 
@@ -87,16 +90,17 @@ TEST(Outgoing, ReserveKeepsAllFields) {
     surfels.reserve(device(), 1000, "many");
     const HostSurfels after(surfels);
     ASSERT_EQ(after.count, 100);
-    ASSERT_EQ(after.data.size(), after.capacity * (SURFEL_FIELDS + 3));
-    for (int f = 0; f < SURFEL_FIELDS + 3; ++f)
+    ASSERT_EQ(after.data.size(), after.capacity * SURFEL_FIELDS_WITH(true));
+    for (int f = 0; f < SURFEL_FIELDS_WITH(true); ++f)
         for (int i = 0; i < after.count; ++i) ASSERT_EQ(after.at(f, i), before.at(f, i)) << "field " << f << " of surfel " << i;
 }
 
 TEST(Outgoing, OffWhileAllMaterialsAreDiffuse) {
     TestScene scene = box_scene(54);
-    EXPECT_FALSE(scene_features(scene.flat, 4).outgoing);
+    EXPECT_FALSE(scene_features(scene.flat, 4, true).outgoing());
     scene.flat.materials.back().model = MATERIAL_DIFFUSE + 1;
-    EXPECT_TRUE(scene_features(scene.flat, 4).outgoing);
+    EXPECT_TRUE(scene_features(scene.flat, 4, true).outgoing());
+    EXPECT_FALSE(scene_features(scene.flat, 4, false).outgoing()) << "a method that takes lobes for even needs no direction";
 }
 
 }  // namespace

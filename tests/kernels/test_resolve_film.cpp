@@ -47,13 +47,16 @@ Pixels random_pixels(Random& random, int count, int samples) {
     return out;
 }
 
-void check(const Case& c, int width, int height, int samples, bool constant) {
+/// `background`: samples that show nothing show something behind it.
+void check(const Case& c, int width, int height, int samples, bool constant, bool background = false) {
     SCOPED_TRACE("filter " + std::to_string(static_cast<int>(c.kind)) + ", " + std::to_string(width) + " x " + std::to_string(height));
     Random random(130);
     const Pixels pixels = random_pixels(random, width * height, samples);
     const int capacity = surfel_capacity(pixels.surfels), first_field = 1;
     std::vector<float> values(static_cast<std::size_t>(capacity) * 4);
     for (float& value : values) value = constant ? 1.0F : static_cast<float>(random.uniform());
+    std::vector<float> behind(static_cast<std::size_t>(width * height) * 3);
+    for (float& value : behind) value = background ? static_cast<float>(random.uniform()) : 0.0F;
     ReconstructionFilter filter;
     filter.kind = c.kind;
     filter.radius = c.radius;
@@ -65,7 +68,7 @@ void check(const Case& c, int width, int height, int samples, bool constant) {
         .args(Buffer<float>(device(), values, "values"), first_field, capacity, Buffer<unsigned char>(device(), pixels.slots, "slots"),
               Buffer<unsigned char>(device(), pixels.counts, "counts"), Buffer<int>(device(), pixels.first, "first"),
               Buffer<float>(device(), table.weights, "weights"), Buffer<float>(device(), table.totals, "totals"), table.reach, samples,
-              width, height, image)
+              width, height, Buffer<float>(device(), behind, "background"), background ? 1 : 0, image)
         .run(static_cast<std::size_t>(width * height), "resolve film");
     const std::vector<float> got = image.read();
     for (int p = 0; p < width * height; ++p) {
@@ -79,10 +82,10 @@ void check(const Case& c, int width, int height, int samples, bool constant) {
                 const unsigned char slot = pixels.slots[static_cast<std::size_t>(q * samples + s)];
                 total += w;
                 magnitude += std::abs(w);
-                if (slot == NO_SURFEL) continue;
                 const auto surfel = static_cast<std::size_t>(pixels.first[static_cast<std::size_t>(q)] + slot);
                 for (int k = 0; k < 3; ++k)
-                    sum[k] += w * values[static_cast<std::size_t>(first_field + k) * static_cast<std::size_t>(capacity) + surfel];
+                    sum[k] += w * (slot == NO_SURFEL ? behind[static_cast<std::size_t>(3 * q + k)]
+                                                     : values[static_cast<std::size_t>((first_field + k) * capacity) + surfel]);
             }
         }
         for (int k = 0; k < 3; ++k) {
@@ -99,6 +102,7 @@ TEST(ResolveFilm, EveryFilterAndSize) {
         check(c, 7, 5, 4, false);
         check(c, 19, 13, 16, false);
         check(c, 9, 9, 5, true);
+        check(c, 7, 5, 4, false, true);
     }
 }
 

@@ -27,9 +27,9 @@ public:
         : scene_(scene),
           forms_(scene.shapes.size(), LightForm::samples),
           flat_(flatten(scene_, forms_, 0, 0)),
-          kernels_(device(), scene_features(flat_, RenderOptions().film_samples)),
+          kernels_(device(), scene_features(flat_, RenderOptions().film_samples, false)),
           on_device_(device(), flat_, build_bvh(flat_.triangles)),
-          film_(kernels_, on_device_, flat_.camera, scene_.sensor.filter, Turn()),
+          film_(kernels_, on_device_, FilmCamera{flat_.camera, glm::vec3(flat_.eye)}, scene_.sensor.filter, Turn()),
           source_(make_candidate_source({kernels_, on_device_, scene_, flat_, seed}, mixture)) {
         const std::vector<LightSample> samples = sample_lights(scene_, flat_, forms_, 4, 0);
         if (!samples.empty()) {

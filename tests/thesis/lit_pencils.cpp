@@ -39,9 +39,9 @@ LitPencils::LitPencils(const std::shared_ptr<Device>& device, const LookUpOption
     : scene_(load_scene(options.scene)),
       forms_(choose_light_forms(scene_, true, false)),
       flat_(flatten(scene_, forms_, options.resolution, options.resolution)),
-      kernels_(device, scene_features(flat_, RenderOptions().film_samples)),
+      kernels_(device, scene_features(flat_, RenderOptions().film_samples, false)),
       device_scene_(device, flat_),
-      film_(kernels_, device_scene_, flat_.camera, scene_.sensor.filter, Turn()) {
+      film_(kernels_, device_scene_, FilmCamera{flat_.camera, glm::vec3(flat_.eye)}, scene_.sensor.filter, Turn()) {
     make_pencils(device, options);
     const auto capacity = static_cast<std::size_t>(surfels().capacity);
     const std::vector<float> data = surfels().data.read();

@@ -1,41 +1,16 @@
-// The diffuse model, called by its name and through the door that kernels use, and the forms of scattering K.
-#include "kernels/brdf_laws.h"
+// The forms of reflection of irradiance.
+#include "kernels/kernel_test.h"
+#include "reference/brdf_ref.h"
+#include "reference/tolerances.h"
 
 namespace {
 
 using namespace pencil;
 using namespace pencil::test;
 
-Material diffuse_row() {
-    Material m{};
-    m.albedo = float4(0.8F, 0.25F, 1.0F, 1.0F);
-    m.model = MATERIAL_DIFFUSE;
-    return m;
-}
-
-/// "diffuse" and "brdf": the model, and what a row that names it is dispatched to.
-class Brdf : public testing::TestWithParam<const char*> {
-protected:
-    DeviceBrdf model{GetParam(), diffuse_row()};
-};
-
-TEST_P(Brdf, IsLambert) { expect_reference(model, ref::lambert); }
-TEST_P(Brdf, IsReciprocal) { expect_reciprocal(model); }
-TEST_P(Brdf, IsDarkBelowTheHorizon) { expect_dark_below_horizon(model); }
-TEST_P(Brdf, WhiteFurnace) { expect_white_furnace(model); }
-TEST_P(Brdf, SamplesFollowTheirDensity) { expect_samples_follow_pdf(model); }
-TEST_P(Brdf, SamplesGiveTheAlbedo) { expect_samples_give_albedo(model); }
-
-TEST_P(Brdf, AlbedoIsTheRowsToTheBit) {
-    for (const dvec3& albedo : model.albedo({{0, 0, 1}, ref::direction_at(0.3, 1.0), ref::direction_at(0.0, 2.0)}))
-        EXPECT_EQ(albedo, xyz(diffuse_row().albedo));
-}
-
-INSTANTIATE_TEST_SUITE_P(Diffuse, Brdf, testing::Values("diffuse", "brdf"), [](const auto& model) { return std::string(model.param); });
-
 /// All forms are albedo E / pi, and each keeps its own order of multiplications: images depend on it to the last bit.
 TEST(BrdfForms, RoundAsTheyAlwaysDid) {
-    DeviceBrdf model("brdf", diffuse_row());
+    ProgramCache programs(device());
     Random random(7);
     std::vector<float> albedo, irradiance;
     for (int i = 0; i < 640; ++i) {
@@ -45,7 +20,7 @@ TEST(BrdfForms, RoundAsTheyAlwaysDid) {
     const int count = static_cast<int>(albedo.size());
     Buffer<float> scalar(device(), albedo.size(), "scalar"), packet(device(), albedo.size(), "packet"),
         radiosity(device(), albedo.size(), "radiosity");
-    model.kernel("brdf_forms")
+    programs.kernel("brdf_forms", PENCIL_SOURCE_DIR "/tests/kernels/test_brdf_forms.cl")
         .args(Buffer<float>(device(), albedo, "albedo"), Buffer<float>(device(), irradiance, "irradiance"), count, scalar, packet,
               radiosity)
         .run(albedo.size() / static_cast<std::size_t>(device()->packet_width()), "forms");

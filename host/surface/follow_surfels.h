@@ -1,0 +1,30 @@
+// Launcher of kernels/follow_surfels.cl.
+#pragma once
+
+#include "device/device_scene.h"
+#include "device/features.h"
+#include "device/surfels.h"
+
+namespace pencil {
+
+/// Light samples that reach vertices of chains: their near_areas, and how many are the sky's, a share of one where only some are drawn.
+struct LobeLights {
+    Buffer<float> near;
+    float sky = 0;
+};
+
+/// Those of the first vertex and of all others.
+struct ChainLights {
+    const LobeLights& first;
+    const LobeLights& next;
+    auto list() const { return std::tie(first.near, next.near, first.sky, next.sky); }
+};
+
+/// Surfels from number `first` on that have lobes become what chains along these end on, or stop where they are.
+void follow_surfels(Kernels& kernels, const DeviceScene& scene, const ChainLights& lights, int first, uint seed, Surfels& surfels);
+
+/// The same for chains that all take a first step along the lobes of surfels `starts` of `from`.
+void follow_surfels(Kernels& kernels, const DeviceScene& scene, const Surfels& from, const Buffer<int>& starts, const ChainLights& lights,
+                    uint seed, Surfels& surfels);
+
+}  // namespace pencil

@@ -1,0 +1,55 @@
+// Textures at a point of a surface.
+
+#include "shared/texture.h"
+
+/// Texel index of a coordinate in texels that may lie outside.
+static inline int wrap_texel(int i, int size, int wrap) {
+    if (wrap == TEXTURE_CLAMP) return clamp(i, 0, size - 1);
+    int period = wrap == TEXTURE_MIRROR ? 2 * size : size;
+    i -= (int)floor((float)i / period) * period;
+    i = clamp(i, 0, period - 1);  // the quotient is rounded
+    return i < size ? i : 2 * size - 1 - i;
+}
+
+static inline float4 bitmap_texel(global const TextureRow *t, global const half *texels, int x, int y) {
+    size_t at = (size_t)t->first + (size_t)wrap_texel(y, t->height, t->wrap_v) * t->width + wrap_texel(x, t->width, t->wrap_u);
+    return vload_half4(at, texels);
+}
+
+/// Colour and opacity of a bitmap at (u, v), row 0 from v = 0 on.
+static inline float4 bitmap_value(global const TextureRow *t, global const half *texels, float2 uv) {
+    float limit = 1e6f;  // beyond it floats have no fractions left to speak of
+    float2 at = clamp(uv * (float2)(t->width, t->height), -limit, limit);
+    if (t->nearest) return bitmap_texel(t, texels, (int)floor(at.x), (int)floor(at.y));
+    at -= 0.5f;
+    float2 low = floor(at), f = at - low;
+    int x = (int)low.x, y = (int)low.y;
+    float4 top = mix(bitmap_texel(t, texels, x, y), bitmap_texel(t, texels, x + 1, y), f.x);
+    float4 bottom = mix(bitmap_texel(t, texels, x, y + 1), bitmap_texel(t, texels, x + 1, y + 1), f.x);
+    return mix(top, bottom, f.y);
+}
+
+/// A point of triangle `triangle` at barycentric weights w, with texture coordinates uv.
+typedef struct TexturePoint {
+    float2 uv;
+    float3 w;
+    int triangle;
+} TexturePoint;
+
+/// rgb: colour, w: opacity.
+static inline float4 texture_value(global const TextureRow *t, global const half *texels, const TexturePoint *p) {
+    if (t->kind == TEXTURE_VERTEX_COLOURS) {
+        size_t at = (size_t)t->first + 3 * (size_t)p->triangle;
+        return p->w.x * vload_half4(at, texels) + p->w.y * vload_half4(at + 1, texels) + p->w.z * vload_half4(at + 2, texels);
+    }
+    float3 q = (float3)(p->uv, 1.0f);
+    float2 uv = (float2)(dot(t->row_u.xyz, q), dot(t->row_v.xyz, q));
+    if (t->kind == TEXTURE_BITMAP) return bitmap_value(t, texels, uv);
+    float2 squares = floor(2.0f * (uv - floor(uv)));
+    return t->colour[squares.x == squares.y ? 0 : 1];
+}
+
+/// The value of an optional texture, 1 without one.
+static inline float4 texture_or_one(int texture, global const TextureRow *textures, global const half *texels, const TexturePoint *p) {
+    return texture >= 0 ? texture_value(textures + texture, texels, p) : (float4)(1.0f);
+}

@@ -1,0 +1,3 @@
+// The environment behind the film.
+
+#include "show_sky.cl"
