@@ -17,7 +17,7 @@ USES = {
     "pencils": ["scene"], "device": ["cl", "pencils", "options"], "visibility": ["device"], "film": ["visibility"], "certify": ["film"],
     "line/placement": ["visibility"], "line": ["film", "line/placement"], "surface": ["certify"], "render": ["line", "surface"],
     "reference": ["scene", "options"], "compare": ["image", "options"], "converge": ["render", "reference", "compare"],
-    "app": ["converge", "scene/formats"],
+    "stress": ["render", "reference"], "app": ["converge", "stress", "scene/formats"],
 }
 
 

@@ -78,7 +78,9 @@ std::string names(const std::vector<SubCommand>& commands) {
 }  // namespace
 
 const char* const exit_codes =
-    "Exit status: 0 ok, 2 usage, 3 scene, 4 device, 5 memory, 6 output, 7 interrupted with the partial result written.";
+    "Exit status: 0 ok, 2 usage, 3 scene, 4 device, 5 memory, 6 output, 7 interrupted with the partial result written, 8 the image is "
+    "written "
+    "but its reflections have no sum (a warning says why), 9 a case of stress fails.";
 
 std::vector<SubCommand> sub_commands() {
     return {sub_command("render", "Render a scene to image files", run_render),
@@ -86,6 +88,7 @@ std::vector<SubCommand> sub_commands() {
             sub_command("info", "Say what is in a scene and what rendering it needs", run_info),
             sub_command("compare", "Measure the error of an image against a reference", run_compare),
             sub_command("converge", "Measure error against run time of all methods and the path tracer", run_converge),
+            sub_command("stress", "Render scenes that are stiff or extreme and check what comes out", run_stress),
             sub_command("devices", "List the OpenCL devices", run_devices),
             hidden(sub_command("document", "Write the options of all commands as documentation", run_document))};
 }

@@ -59,6 +59,12 @@ struct ConvergeCommand {
     bool quiet = false;
 };
 
+struct StressCommand {
+    std::vector<std::string> cases;  // empty: the quick ones
+    bool all = false, json = false, markdown = false;
+    std::string device;
+};
+
 struct DevicesCommand {
     bool self_test = false;
 };
@@ -72,6 +78,7 @@ ExitCode run_reference(const ReferenceCommand& command);
 ExitCode run_info(const InfoCommand& command);
 ExitCode run_compare(const CompareCommand& command);
 ExitCode run_converge(const ConvergeCommand& command);
+ExitCode run_stress(const StressCommand& command);
 ExitCode run_devices(const DevicesCommand& command);
 ExitCode run_document(const DocumentCommand& command);
 

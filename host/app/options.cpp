@@ -164,6 +164,20 @@ std::vector<Option> option_table(ConvergeCommand& command) {
     return rows;
 }
 
+std::vector<Option> option_table(StressCommand& command) {
+    Option named{"--case",
+                 "NAME",
+                 "",
+                 "the quick ones",
+                 "Only this case; may be repeated",
+                 "",
+                 [&command](const std::string& text) { command.cases.push_back(text); },
+                 {}};
+    named.repeated = true;
+    return {named, switch_row("--all", command.all, "Slow cases, too"), switch_row("--json", command.json, "Print JSON"),
+            switch_row("--markdown", command.markdown, "Print the table of docs/stability.md"), device_row(command.device)};
+}
+
 std::vector<Option> option_table(DevicesCommand& command) {
     return {switch_row("--self-test", command.self_test, "Run known answers on every device; exit status 4 if one is wrong")};
 }

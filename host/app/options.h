@@ -14,6 +14,7 @@ std::vector<Option> option_table(ReferenceCommand& command);
 std::vector<Option> option_table(InfoCommand& command);
 std::vector<Option> option_table(CompareCommand& command);
 std::vector<Option> option_table(ConvergeCommand& command);
+std::vector<Option> option_table(StressCommand& command);
 std::vector<Option> option_table(DevicesCommand& command);
 std::vector<Option> option_table(DocumentCommand& command);
 

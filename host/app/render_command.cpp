@@ -106,7 +106,7 @@ ExitCode run_render(const RenderCommand& command) {
         print_error("interrupted; the partial result is written");
         return ExitCode::interrupted;
     }
-    return ExitCode::ok;
+    return report.stats.converged ? ExitCode::ok : ExitCode::not_converged;
 }
 
 }  // namespace pencil

@@ -67,6 +67,15 @@ Json bounces_json(const RenderStats& stats) {
     return bounces;
 }
 
+/// How reflections between pencils were added up; null where none were.
+Json bounce_solve_json(const BounceSolve& solve) {
+    if (solve.steps == 0) return {};
+    return {{"steps", solve.steps},
+            {"krylov_applications", solve.krylov},
+            {"spectral_radius", solve.spectral_radius},
+            {"has_sum", solve.has_sum}};
+}
+
 /// What light paths say of the image; null without a check.
 Json certified_json(const CertifiedError& certified) {
     if (certified.points < 2) return {};
@@ -102,6 +111,8 @@ void write_stats(const std::filesystem::path& file, const RunReport& report, con
                     {"film_pencils", stats.film_pencils},
                     {"residual", stats.residual},
                     {"tail_closed", stats.tail_closed},
+                    {"converged", stats.converged},
+                    {"bounce_solve", bounce_solve_json(stats.bounce_solve)},
                     {"triangles", stats.triangles},
                     {"film_surfels", stats.film_surfels},
                     {"blind_surfels", stats.blind_surfels},

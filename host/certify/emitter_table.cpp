@@ -19,7 +19,7 @@ Emitter triangle_emitter(int triangle) {
 Emitter point_emitter(const PointLight& light, int profile_table, const Normalisation& normalisation) {
     Emitter e{};
     e.position = float4(glm::vec3(normalisation.to_scene(light.position)), 0.0F);
-    e.emission = float4(glm::vec3(glm::dvec3(light.intensity) / (normalisation.scale * normalisation.scale)), 0.0F);
+    e.emission = float4(normalisation.to_light(glm::dvec3(light.intensity) / (normalisation.scale * normalisation.scale)), 0.0F);
     e.triangle = EMITTER_POINT;
     if (profile_table >= 0) {
         e.position.w = -1.0F - static_cast<float>(profile_table);
@@ -32,10 +32,10 @@ Emitter point_emitter(const PointLight& light, int profile_table, const Normalis
     return e;
 }
 
-Emitter parallel_emitter(const DirectionalLight& light) {
+Emitter parallel_emitter(const DirectionalLight& light, const Normalisation& normalisation) {
     Emitter e{};
     e.triangle = EMITTER_PARALLEL;
-    e.emission = float4(light.irradiance, 0.0F);
+    e.emission = float4(normalisation.to_light(light.irradiance), 0.0F);
     e.axis = float4(glm::vec3(light.direction), 0.0F);
     return e;
 }
@@ -68,8 +68,10 @@ EmitterTable tabulate_emitters(const Scene& scene, const FlatScene& flat) {
         add(emitter, sphere_area * luminance(glm::dvec3(emitter.emission)));
     }
     table.sky_area = cross_section(flat);
-    for (const DirectionalLight& light : scene.directional_lights)
-        add(parallel_emitter(light), table.sky_area * luminance(glm::dvec3(light.irradiance)));
+    for (const DirectionalLight& light : scene.directional_lights) {
+        const Emitter emitter = parallel_emitter(light, flat.normalisation);
+        add(emitter, table.sky_area * luminance(glm::dvec3(emitter.emission)));
+    }
     for (std::size_t i = 0; i < flat.sky_texels.size(); ++i) {
         const int column = static_cast<int>(i) % flat.sky.width, row = static_cast<int>(i) / flat.sky.width;
         add(sky_emitter(column, row), table.sky_area * sampled_texel_power(flat.sky, flat.sky_texels, i));

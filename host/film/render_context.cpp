@@ -39,7 +39,7 @@ RenderContext::RenderContext(const Scene& scene_to_render, const RenderOptions& 
       options(render_options),
       clock(device, progress),
       forms(choose_light_forms(scene, options.initial == Initial::direct, options.initial == Initial::emission)),
-      flat(flatten(scene, forms, options.width, options.height)),
+      flat(flatten(scene, forms, options.width, options.height, light_unit(scene))),
       needs(needs_of(scene, forms, options)),
       kernels(device, complete_features(flat, options, needs)),
       prepared(preparation(flat, needs, *device)),

@@ -118,11 +118,13 @@ bool LineMethod::converged() {
             fmt::format("each reflection is brighter than the last: the series has no sum with these weights; stopped after {}, the image "
                         "is not that of the scene",
                         projected_));
+        context_.stats.converged = false;
         return true;
     }
     if (projected_ <= most_bounces) return false;
     context_.stats.warnings.push_back(
         fmt::format("bounces do not decrease (albedo near 1 in a closed scene): stopped after {}, not converged", most_bounces));
+    context_.stats.converged = false;
     return true;
 }
 

@@ -41,6 +41,14 @@ struct CertifiedError {
     int points = 0;             // pixels looked at; 0: nothing is known
 };
 
+/// How reflections between pencils of one set were added up: one by one, and what remains by GMRES.
+struct BounceSolve {
+    int steps = 0;               // one by one
+    int krylov = 0;              // applications of transport after them; 0: the series had ended
+    double spectral_radius = 0;  // estimated: share of the light that one of many reflections leaves; 1: all of it
+    bool has_sum = true;         // false: closed and without loss, as far as float tells; the image holds the first reflections alone
+};
+
 struct RenderStats {
     std::vector<StageTime> stages;  // in order of execution; kernel builds are a stage of their own
     std::vector<BounceReport> bounces;
@@ -50,6 +58,8 @@ struct RenderStats {
     double estimated_error = 0;  // relMSE of the beauty, from the spread of the passes and the check; infinite if not known
     CertifiedError certified;    // the check alone
     bool tail_closed = false;    // the residual was added as a geometric tail
+    bool converged = true;       // false: reflections have no sum, or were cut before they had one; a warning says why
+    BounceSolve bounce_solve;    // of the last world set
     std::uint64_t device_peak_bytes = 0;
     std::uint64_t triangles = 0, film_surfels = 0;
     std::uint64_t blind_surfels = 0;   // film surfels that no pencil of the first set sees

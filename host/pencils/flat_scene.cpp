@@ -197,9 +197,10 @@ void flatten_camera(const PerspectiveSensor& sensor, int width, int height, Flat
 
 }  // namespace
 
-FlatScene flatten(const Scene& scene, const std::vector<LightForm>& forms, int width, int height) {
+FlatScene flatten(const Scene& scene, const std::vector<LightForm>& forms, int width, int height, double unit) {
     FlatScene flat;
     flat.normalisation = normalise(scene);
+    flat.normalisation.light = unit;
     flat.shape_count = static_cast<int>(scene.shapes.size());
     flat.textures = flatten_textures(scene, flat.texels);
     flat.far_light =
@@ -208,8 +209,8 @@ FlatScene flatten(const Scene& scene, const std::vector<LightForm>& forms, int w
     for (const PointLight& light : scene.point_lights)
         flat.profile_tables.push_back(
             light.profile >= 0 ? add_profile_table(light, scene.profiles[static_cast<std::size_t>(light.profile)], flat.texels) : -1);
-    flat.sky = flatten_sky(scene, flat.sky_texels);
-    MaterialRows rows(scene, forms, flat.materials, flat.row_shapes, flat.texels, flat.normalisation.scale);
+    flat.sky = flatten_sky(scene, flat.sky_texels, unit);
+    MaterialRows rows(scene, forms, flat.materials, flat.row_shapes, flat.texels, flat.normalisation.scale, unit);
     flatten_triangles(scene, rows, flat);
     count_mates(flat.triangles);
     flatten_camera(scene.sensor, width > 0 ? width : scene.sensor.width, height > 0 ? height : scene.sensor.height, flat);

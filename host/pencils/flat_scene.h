@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "pencils/light_form.h"
+#include "scene/light_unit.h"
 #include "scene/scene.h"
 #include "shared/camera.h"
 #include "shared/geometry.h"
@@ -15,10 +16,12 @@
 
 namespace pencil {
 
-/// world = centre + point * scale; scale is a power of two, so normalising loses no bit beyond the recentring.
+/// world = centre + point * scale; scale is a power of two, so normalising loses no bit beyond the recentring. So is the unit of light.
 struct Normalisation {
     glm::dvec3 centre{0.0};
     double scale = 1.0;
+    double light = 1.0;  // radiance of the scene file per radiance on the device (light_unit.h)
+    glm::vec3 to_light(const glm::dvec3& emitted) const { return in_light_unit(emitted, light); }
     glm::dvec3 to_scene(const glm::dvec3& world) const { return (world - centre) / scale; }
     glm::dvec3 to_world(const glm::dvec3& point) const { return centre + point * scale; }
 };
@@ -53,8 +56,8 @@ inline glm::dvec3 area_vector(const Triangle& t) {
 /// Area of the scene as seen from outside, about, for light that comes from there [scene units^2].
 double cross_section(const FlatScene& flat);
 
-/// `forms` has one entry per shape, ignored where the shape does not emit. Width and height 0: the scene's own.
-FlatScene flatten(const Scene& scene, const std::vector<LightForm>& forms, int width, int height);
+/// `forms` has one entry per shape, ignored where the shape does not emit. Width and height 0: the scene's own. `unit`: Normalisation::light.
+FlatScene flatten(const Scene& scene, const std::vector<LightForm>& forms, int width, int height, double unit = 1.0);
 
 /// Area of each shape [world units^2].
 std::vector<double> shape_areas(const Scene& scene);

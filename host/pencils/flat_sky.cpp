@@ -5,6 +5,7 @@
 
 #include "image/colour.h"
 #include "pencils/low_discrepancy.h"
+#include "scene/light_unit.h"
 
 namespace pencil {
 
@@ -32,16 +33,17 @@ glm::vec3 direction_of(const Sky& sky, double x, double theta) {
 
 }  // namespace
 
-Sky flatten_sky(const Scene& scene, std::vector<float4>& texels) {
+Sky flatten_sky(const Scene& scene, std::vector<float4>& texels, double light) {
     Sky sky{};
     if (!scene.environment) return sky;
     const Environment& e = *scene.environment;
     sky.width = e.is_map() ? e.width : 1;
     sky.height = e.is_map() ? e.height : 1;
+    const auto add = [&](const glm::dvec3& radiance) { texels.emplace_back(in_light_unit(radiance, light), 0.0F); };
     if (e.is_map())
-        for (const glm::vec3& texel : e.texels) texels.emplace_back(e.radiance * texel, 0.0F);
+        for (const glm::vec3& texel : e.texels) add(glm::dvec3(e.radiance) * glm::dvec3(texel));
     else
-        texels.emplace_back(e.radiance, 0.0F);
+        add(e.radiance);
     for (int k = 0; k < 3; ++k) sky.to_local[k] = float4(glm::vec3(glm::normalize(e.to_world[k])), 0.0F);
     double sum = 0;
     for (std::size_t i = 0; i < texels.size(); ++i)

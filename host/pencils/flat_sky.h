@@ -9,8 +9,9 @@
 
 namespace pencil {
 
-/// Texels of the environment row by row, its description without the density of light samples; nothing without an environment.
-Sky flatten_sky(const Scene& scene, std::vector<float4>& texels);
+/// Texels of the environment row by row, its description without the density of light samples; nothing without an environment. `light`: unit
+/// of radiance.
+Sky flatten_sky(const Scene& scene, std::vector<float4>& texels, double light = 1.0);
 
 /// The same of one texel.
 double sampled_texel_power(const Sky& sky, const std::vector<float4>& texels, std::size_t texel);

@@ -149,7 +149,7 @@ LightSample point_sample(const PointLight& light, int profile_table, const FlatS
     const double scale = flat.normalisation.scale;
     LightSample s{};
     s.position = float4(glm::vec3(flat.normalisation.to_scene(light.position)), LIGHT_POINT);
-    s.emission = float4(glm::vec3(glm::dvec3(light.intensity) / (scale * scale)), -1.0F);
+    s.emission = float4(flat.normalisation.to_light(glm::dvec3(light.intensity) / (scale * scale)), -1.0F);
     if (profile_table >= 0) {
         s.position.w = LIGHT_PROFILE;
         s.normal = float4(glm::vec3(glm::normalize(glm::dvec3(light.to_world[2]))), 0.0F);
@@ -212,18 +212,19 @@ std::vector<LightSample> sample_lights(const Scene& scene, const FlatScene& flat
     for (const DirectionalLight& light : scene.directional_lights) {
         LightSample s{};
         s.position = float4(glm::vec3(light.direction), LIGHT_INFINITE);
-        s.emission = float4(light.irradiance, -1.0F);
+        s.emission = float4(flat.normalisation.to_light(light.irradiance), -1.0F);
         samples.push_back(s);
     }
     // The sky's share of the samples is as if it lit the whole scene from outside.
     const double sky = sampled_sky_power(flat.sky, flat.sky_texels) * cross_section(flat);
     // Each emitting shape gets samples in proportion to its power, at least one, spread over its triangles by area.
     std::vector<ShapeTriangles> emitters = emitting_shapes(scene, flat, forms, receivers);
+    const auto radiance_of = [&](const ShapeTriangles& e) { return glm::dvec3(scene.shapes[e.shape].radiance) / flat.normalisation.light; };
     double total = sky;
-    for (const ShapeTriangles& e : emitters) total += pi * e.area * luminance(scene.shapes[e.shape].radiance);
+    for (const ShapeTriangles& e : emitters) total += pi * e.area * luminance(radiance_of(e));
     for (const ShapeTriangles& e : emitters) {
-        const glm::dvec3 radiance(scene.shapes[e.shape].radiance);
-        const double share = pi * e.area * luminance(scene.shapes[e.shape].radiance) / total;
+        const glm::dvec3 radiance = radiance_of(e);
+        const double share = pi * e.area * luminance(radiance) / total;
         const long own = std::max(std::lround(share * count), 1L);
         sample_shape(e, flat, radiance, {own, hash64(seed) ^ e.shape, turn}, samples);
     }

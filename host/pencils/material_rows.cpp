@@ -6,6 +6,7 @@
 #include <glm/gtc/packing.hpp>
 
 #include "pencils/varnish_table.h"
+#include "scene/light_unit.h"
 
 namespace pencil {
 
@@ -103,7 +104,7 @@ int MaterialRows::row(std::size_t material, std::int64_t emitter, bool two_sided
         const bool carried = forms_[static_cast<std::size_t>(emitter)] == LightForm::maps;
         const glm::vec3 tint =
             shape.radiance_texture >= 0 ? mean_colour(scene_.textures[static_cast<std::size_t>(shape.radiance_texture)]) : glm::vec3(1);
-        made.emission = float4(shape.radiance * tint, carried ? 1.0F : 0.0F);
+        made.emission = float4(in_light_unit(glm::dvec3(shape.radiance) * glm::dvec3(tint), light_), carried ? 1.0F : 0.0F);
     }
     const int index = static_cast<int>(rows_.size());
     rows_.push_back(made);

@@ -18,8 +18,8 @@ namespace pencil {
 class MaterialRows {
 public:
     MaterialRows(const Scene& scene, const std::vector<LightForm>& forms, std::vector<Material>& rows, std::vector<int>& shapes,
-                 std::vector<std::uint64_t>& texels, double scale)
-        : scene_(scene), forms_(forms), rows_(rows), shapes_(shapes), texels_(texels), scale_(scale) {}
+                 std::vector<std::uint64_t>& texels, double scale, double light = 1.0)
+        : scene_(scene), forms_(forms), rows_(rows), shapes_(shapes), texels_(texels), scale_(scale), light_(light) {}
 
     /// Index of the triangle's row.
     int of(const Triangle3& t) { return row(t.material, scene_.shapes[t.shape].emits ? static_cast<std::int64_t>(t.shape) : -1, false); }
@@ -34,6 +34,7 @@ private:
     std::vector<int>& shapes_;            // that rows are of, if they emit, else -1
     std::vector<std::uint64_t>& texels_;  // of textures and tables
     double scale_;                        // world units per scene unit
+    double light_;                        // unit of radiance
     std::map<std::tuple<std::size_t, std::int64_t, bool>, int> made_;
 };
 

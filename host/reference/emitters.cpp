@@ -4,6 +4,7 @@
 
 #include "reference/lamp.h"
 #include "reference/texture_lookup.h"
+#include "scene/light_unit.h"
 
 namespace pencil {
 namespace {
@@ -46,7 +47,7 @@ void Emitters::add_finite(const Scene& scene) {
         up_to_.push_back(total += power);
     }
     for (const PointLight& light : scene.point_lights) {
-        const glm::dvec3 intensity = glm::dvec3(light.intensity) / (ray_scene_.scale() * ray_scene_.scale());
+        const glm::dvec3 intensity = glm::dvec3(light.intensity) / (ray_scene_.scale() * ray_scene_.scale()) / ray_scene_.light();
         const bool shaped = light.is_spot || light.profile >= 0;
         const double power = (shaped ? lamp_extent(light, scene.profiles) : 4 * pi) * mean(intensity);
         if (!(power > 0)) continue;
@@ -70,13 +71,14 @@ void Emitters::add_finite(const Scene& scene) {
 void Emitters::add_far(const Scene& scene) {
     double total = 0;
     for (const DirectionalLight& light : scene.directional_lights) {
-        const double flux = mean(light.irradiance);
+        const glm::vec3 irradiance = in_light_unit(light.irradiance, ray_scene_.light());
+        const double flux = mean(irradiance);
         if (!(flux > 0)) continue;
-        parallel_.push_back({-light.direction, light.irradiance, static_cast<float>(flux)});
+        parallel_.push_back({-light.direction, irradiance, static_cast<float>(flux)});
         far_up_to_.push_back(total += flux);
     }
     if (scene.environment) {
-        environment_.emplace(*scene.environment);
+        environment_.emplace(*scene.environment, ray_scene_.light());
         if (environment_->flux() > 0)
             far_up_to_.push_back(total += environment_->flux());
         else

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/light_unit.h"
+
 namespace pencil {
 namespace {
 
@@ -20,9 +22,9 @@ glm::dvec3 direction_at(double cosine, double phi) {
 
 }  // namespace
 
-EnvironmentLight::EnvironmentLight(const Environment& environment)
-    : environment_(environment), to_local_(glm::inverse(environment.to_world)) {
-    flux_ = 4 * pi * mean(environment.radiance);
+EnvironmentLight::EnvironmentLight(const Environment& environment, double light)
+    : environment_(environment), radiance_(in_light_unit(environment.radiance, light)), to_local_(glm::inverse(environment.to_world)) {
+    flux_ = 4 * pi * mean(radiance_);
     if (!environment.is_map()) return;
     rows_ = std::max(environment.height - 1, 1);
     flux_ = 0;
@@ -33,8 +35,8 @@ EnvironmentLight::EnvironmentLight(const Environment& environment)
         std::vector<double> sums;
         for (int x = 0; x < environment.width; ++x) {
             const glm::vec3 centre = 0.25F * (texel(x, y) + texel(x + 1, y) + texel(x, y + 1) + texel(x + 1, y + 1));
-            flux_ += angle * mean(centre * environment.radiance);
-            sums.push_back(row += luminance(centre * environment.radiance));
+            flux_ += angle * mean(centre * radiance_);
+            sums.push_back(row += luminance(centre * radiance_));
         }
         for (int x = 0; x < environment.width; ++x) {
             const double part = row > 0 ? sums[static_cast<std::size_t>(x)] / row : (x + 1.0) / environment.width;
@@ -65,7 +67,7 @@ glm::vec3 EnvironmentLight::value(const Place& p) const {
     const auto s = static_cast<float>(p.s), t = static_cast<float>(p.t);
     const glm::vec3 above = glm::mix(texel(p.x, p.y), texel(p.x + 1, p.y), s),
                     below = glm::mix(texel(p.x, p.y + 1), texel(p.x + 1, p.y + 1), s);
-    return environment_.radiance * glm::mix(above, below, t);
+    return radiance_ * glm::mix(above, below, t);
 }
 
 float EnvironmentLight::cell_density(int x, int y) const {
@@ -76,8 +78,7 @@ float EnvironmentLight::cell_density(int x, int y) const {
 }
 
 EnvironmentLight::Sample EnvironmentLight::sample(const glm::dvec2& u) const {
-    if (!environment_.is_map())
-        return {glm::vec3(direction_at(1 - 2 * u.x, 2 * pi * u.y)), environment_.radiance, static_cast<float>(0.25 / pi)};
+    if (!environment_.is_map()) return {glm::vec3(direction_at(1 - 2 * u.x, 2 * pi * u.y)), radiance_, static_cast<float>(0.25 / pi)};
     const auto row = std::upper_bound(rows_up_to_.begin(), rows_up_to_.end() - 1, u.x);
     const auto y = static_cast<int>(row - rows_up_to_.begin());
     const double low = y > 0 ? *(row - 1) : 0.0, t = *row > low ? std::clamp((u.x - low) / (*row - low), 0.0, 1.0) : 0.5;
@@ -94,7 +95,7 @@ EnvironmentLight::Sample EnvironmentLight::sample(const glm::dvec2& u) const {
 }
 
 glm::vec3 EnvironmentLight::radiance(const glm::vec3& direction) const {
-    if (!environment_.is_map()) return environment_.radiance;
+    if (!environment_.is_map()) return radiance_;
     return value(place(glm::normalize(to_local_ * glm::dvec3(direction))));
 }
 

@@ -10,7 +10,8 @@ namespace pencil {
 
 class EnvironmentLight {
 public:
-    explicit EnvironmentLight(const Environment& environment);
+    /// `light`: unit of radiance.
+    explicit EnvironmentLight(const Environment& environment, double light = 1.0);
 
     struct Sample {
         glm::vec3 direction;  // unit, to the light
@@ -38,6 +39,7 @@ private:
     float cell_density(int x, int y) const;
 
     const Environment& environment_;
+    glm::vec3 radiance_;  // factor of the map, or constant
     glm::dmat3 to_local_;
     int rows_ = 0;  // of cells: between the centres of texels, and the poles lie on the first and the last row of texels (Mitsuba)
     std::vector<float> cumulative_;   // in each row of cells, up to and with a cell; 1 at its end

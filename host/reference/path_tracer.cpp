@@ -8,6 +8,7 @@
 #include <chrono>
 #include <mutex>
 
+#include "options/scale_light.h"
 #include "reference/camera_rays.h"
 #include "reference/film_sums.h"
 #include "reference/sample_plan.h"
@@ -166,6 +167,7 @@ private:
         result_.width = options_.width;
         result_.height = options_.height;
         result_.layers = film_.layers(samples, sets, scene_, eye_);
+        result_.warnings = scale_light(scene_.light(), result_.layers);
         result_.estimated_error = film_.relative_mean_square_error(samples, sets);
         result_.spp = fewest;
         result_.rays = rays_;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "reference/texture_lookup.h"
+#include "scene/light_unit.h"
 #include "scene/split_triangle.h"
 #include "util/error.h"
 
@@ -51,9 +52,9 @@ RTCRay embree_ray(const Ray& ray) {
 
 }  // namespace
 
-RayScene::RayScene(const Scene& scene) : surfaces_(scene) {
+RayScene::RayScene(const Scene& scene) : light_(light_unit(scene)), surfaces_(scene) {
     for (const Shape& shape : scene.shapes)
-        emission_.push_back({shape.emits ? shape.radiance : glm::vec3(0.0F), 0.0F, shape.radiance_texture});
+        emission_.push_back({shape.emits ? in_light_unit(shape.radiance, light_) : glm::vec3(0.0F), 0.0F, shape.radiance_texture});
     normalise(scene);
     build(add_triangles(scene));
     vertices_ = {};

@@ -71,6 +71,7 @@ public:
     glm::dvec3 to_scene(const glm::dvec3& world) const { return (world - centre_) / scale_; }
     glm::dvec3 to_world(const glm::dvec3& point) const { return centre_ + point * scale_; }
     double scale() const { return scale_; }  // world units per scene unit
+    double light() const { return light_; }  // unit of all light (light_unit.h)
     const glm::dvec3& low() const { return low_; }
     const glm::dvec3& high() const { return high_; }  // bounds of the triangles [scene units]
 
@@ -86,7 +87,7 @@ private:
         void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
     };
     glm::dvec3 centre_{0.0}, low_{0.0}, high_{0.0};
-    double scale_ = 1.0;
+    double scale_ = 1.0, light_ = 1.0;
     std::vector<glm::vec3> vertices_;  // while it is built
     std::vector<RayTriangle> triangles_;
     std::vector<glm::vec3> normals_;  // three per triangle, empty if no shape has vertex normals

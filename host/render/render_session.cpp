@@ -7,6 +7,7 @@
 #include "film/film.h"
 #include "film/render_context.h"
 #include "options/render_option_table.h"
+#include "options/scale_light.h"
 #include "render/explain.h"
 #include "render/methods.h"
 #include "util/error.h"
@@ -74,13 +75,18 @@ bool RenderSession::advance() {
     return !ended_;
 }
 
-std::vector<Layer> RenderSession::snapshot() const { return method_->snapshot(); }
+std::vector<Layer> RenderSession::snapshot() const {
+    std::vector<Layer> layers = method_->snapshot();
+    scale_light(context_->flat.normalisation.light, layers);
+    return layers;
+}
 double RenderSession::estimated_error() const { return method_->estimated_error(); }
 bool RenderSession::interrupted() const { return context_->clock.stopped(); }
 const RenderOptions& RenderSession::options() const { return context_->options; }
 
 RenderStats RenderSession::stats() const {
     RenderStats stats = context_->stats;
+    for (BounceReport& bounce : stats.bounces) bounce.mean *= context_->flat.normalisation.light;
     stats.explain = explain(*context_);
     const std::vector<std::string> own = method_->explain();
     stats.explain.insert(stats.explain.end(), own.begin(), own.end());
@@ -97,6 +103,8 @@ RenderResult RenderSession::finish() {
     RenderResult result;
     result.stats = stats();
     result.layers = method_->take();
+    const std::vector<std::string> warnings = scale_light(context_->flat.normalisation.light, result.layers);
+    result.stats.warnings.insert(result.stats.warnings.end(), warnings.begin(), warnings.end());
     result.width = context_->options.width;
     result.height = context_->options.height;
     result.interrupted = interrupted();

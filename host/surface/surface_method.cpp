@@ -38,6 +38,8 @@ constexpr double world_share = 0.15;
 constexpr int least_world_map = 4, most_world_map = 32, first_world_map = 12;
 /// Rays of film pencils for each path that checks the image: it costs as much as so many in ten, which see things together.
 constexpr double rays_per_check = 32;
+/// So long that a path of a check costs as assumed there [reflections], and so long that most of them are cut (trace_checks.cl).
+constexpr double usual_check = 50, longest_check = 200;
 /// Time of the first world set, in terms of the time of the first pass without it.
 constexpr double world_work = 0.3;
 
@@ -75,6 +77,12 @@ constexpr double mean_share = 0.1;
 /// From so many passes on, an error that twice the passes do not lower to this share does not fall any more.
 constexpr int steady_passes = 64;
 constexpr double falling_share = 0.85;
+/// And from so many on where it is so many times what was asked for: that is no matter of patience.
+constexpr int hopeless_passes = 16;
+constexpr double hopeless = 100;
+
+/// Residual of reflections that float's rounding may leave at high albedos: no reason to warn.
+constexpr double least_residual = 1e-3;
 
 /// Chains along the lobes of a surfel of the film in a pass.
 constexpr int chains_per_surfel = 4;
@@ -221,7 +229,7 @@ void SurfaceMethod::add_bounces(const SurfacePass& pass, const Turn& turn) {
     const FilmPixels pixels(frame_->film());
     if (pass.world_set != world_set_) place_world(pass, pixels);
     solver_->solve(world_map(), context_.options.bounces, context_.options.tolerance, hash64(turn.seed) + turn.index);
-    context_.stats.residual = solver_->residual();
+    report_bounces();
     FilmPencils film(context_.kernels, pixels, pass.lattice);
     const TexelPoints points{static_cast<uint>(turn.seed >> 32), static_cast<uint>(turn.index)};
     context_.clock.run("film pencils", [&] { film.refine(*solver_, points); });
@@ -229,9 +237,34 @@ void SurfaceMethod::add_bounces(const SurfacePass& pass, const Turn& turn) {
     context_.clock.run("project film", [&] { film.project(frame_->outgoing()); });
     if (context_.kernels.features().lobes) context_.clock.run("reflections", [&] { add_lobes(); });
     frame_->finish_bounce(FilmLayers::indirect, film.count(), 0);
-    const double rays = film_rays_ = static_cast<double>(film.count()) * pass.lattice.map * pass.lattice.map;
-    context_.clock.run("check error",
-                       [&] { check_.add(frame_->film(), static_cast<int>(rays / rays_per_check), hash64(turn.seed + 1) + turn.index); });
+    film_rays_ = static_cast<double>(film.count()) * pass.lattice.map * pass.lattice.map;
+    if (const int paths = check_paths(); paths > 0)
+        context_.clock.run("check error", [&] { check_.add(frame_->film(), paths, hash64(turn.seed + 1) + turn.index); });
+}
+
+/// Paths of a check, fewer where each is long; 0 where so many reflections matter that paths cannot follow them.
+int SurfaceMethod::check_paths() const {
+    const double length = context_.options.bounces < 0 ? 1 / std::max(1 - solver_->bounces().spectral_radius, 1e-9) : 1;
+    if (length > longest_check) return 0;
+    return static_cast<int>(film_rays_ / (rays_per_check * std::max(length / usual_check, 1.0)));
+}
+
+/// What the world's bounces say of the image.
+void SurfaceMethod::report_bounces() {
+    RenderStats& stats = context_.stats;
+    stats.residual = solver_->residual();
+    stats.bounce_solve = solver_->bounces();
+    if (!stats.converged || solver_->residual() <= std::max(context_.options.tolerance, least_residual)) return;
+    stats.converged = false;
+    stats.warnings.push_back(
+        stats.bounce_solve.has_sum
+            ? fmt::format(
+                  "reflections are not added up to --tolerance: what is missing is estimated as {:.2g} of them, each of many leaves "
+                  "{:.7f} of the light; albedos a little lower or --bounces K help",
+                  stats.residual, stats.bounce_solve.spectral_radius)
+            : fmt::format("light has no way out and no surface keeps it (albedo 1 in a closed scene): reflections have no sum, the image "
+                          "shows the first {} of them; lower the albedos or say --bounces K",
+                          stats.bounce_solve.steps + 2));
 }
 
 /// What the film shows along the lobes of its surfaces: light samples on them, and chains that follow them.
@@ -250,7 +283,7 @@ void SurfaceMethod::add_lobes() {
 }
 
 double SurfaceMethod::estimated_error() const {
-    if (mean_.count() == 0) return std::numeric_limits<double>::infinity();
+    if (mean_.count() == 0 || !context_.stats.bounce_solve.has_sum) return std::numeric_limits<double>::infinity();
     const double error = join_errors(caution(mean_.count()) * mean_.relative_mean_square_error(), certified_error());
     return std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
 }
@@ -260,6 +293,7 @@ CertifiedError SurfaceMethod::certified_error() const { return mean_.count() > 0
 /// True if the next pass is not needed or would not end in time; `pace`: seconds per unit of work.
 bool SurfaceMethod::enough(double pace) {
     const RenderOptions& options = context_.options;
+    if (!context_.stats.bounce_solve.has_sum) return mean_.count() >= least_passes;  // no pass would make it right
     StageClock& clock = context_.clock;
     if (options.seconds > 0) {
         clock.set_fraction(std::min(clock.seconds() / options.seconds, 1.0));
@@ -277,8 +311,9 @@ bool SurfaceMethod::enough(double pace) {
     const bool mean_known = index_ >= steady_passes || (!contradicted && student(mean_.count()) * mean_.mean_standard_error() <=
                                                                              mean_share * std::sqrt(options.target_error));
     if (mean_.count() >= least_passes && error <= options.target_error && mean_known) return true;
+    const int patience = error > hopeless * options.target_error ? hopeless_passes : steady_passes;
     const bool stuck =
-        error > options.target_error && index_ >= steady_passes && index_ == 2 * error_index_ && error > falling_share * last_error_;
+        error > options.target_error && index_ >= patience && index_ == 2 * error_index_ && error > falling_share * last_error_;
     if (stuck || index_ >= most_passes) {
         context_.stats.warnings.push_back(fmt::format(
             "stopped {} --target-error: the estimated relMSE is {:.2g} after {} passes{}, the mean known to {:.1g} %; --time S goes on, "
@@ -305,8 +340,19 @@ std::vector<Layer> SurfaceMethod::take() {
 }
 
 std::vector<std::string> SurfaceMethod::explain() const {
-    return {"visibility: always rays through the hierarchy; no geometry maps, so no choice among ways to make them",
-            "indirect light: pencils on surfaces; left out: octahedral maps of pencils, density, weights, shrinking sets"};
+    std::vector<std::string> lines{
+        "visibility: always rays through the hierarchy; no geometry maps, so no choice among ways to make them",
+        "indirect light: pencils on surfaces; left out: octahedral maps of pencils, density, weights, shrinking sets"};
+    const BounceSolve& solve = context_.stats.bounce_solve;
+    if (solve.steps > 0)
+        lines.push_back(fmt::format(
+            "reflections between pencils: {} one by one, {}; each of many leaves about {:.6f} of the light, residual {:.2g}", solve.steps,
+            solve.krylov > 0 ? fmt::format("the rest by GMRES in {} applications", solve.krylov)
+                             : std::string("the rest is a geometric series"),
+            solve.spectral_radius, context_.stats.residual));
+    if (solver_ && film_rays_ > 0 && check_paths() == 0)
+        lines.push_back("left out: check by light paths (too many reflections matter); the error is that of the spread of passes alone");
+    return lines;
 }
 
 }  // namespace pencil

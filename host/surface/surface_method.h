@@ -51,6 +51,8 @@ private:
     void add_lobes();
     void place_world(const SurfacePass& pass, const FilmPixels& pixels);
     int world_map() const;
+    int check_paths() const;
+    void report_bounces();
     bool enough(double pace);
     SurfacePass pass(int index) const { return surface_pass(index, context_.options, context_.flat.camera, emitters_); }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <glm/gtx/component_wise.hpp>
+#include <limits>
 
 #include "film/bounce_series.h"
 #include "pencils/low_discrepancy.h"
@@ -9,6 +10,7 @@
 #include "surface/emit_chains.h"
 #include "surface/emit_hemispheres.h"
 #include "surface/follow_surfels.h"
+#include "surface/krylov.h"
 #include "surface/measure_hemispheres.h"
 #include "surface/project_contacts.h"
 #include "surface/sample_lights.h"
@@ -21,8 +23,10 @@ namespace {
 
 /// Texels that are worked on at once: bounds memory (18 MB) and the length of a launch.
 constexpr int chunk_surfels = 1 << 18;
-/// Bounces of the world set at most. The tail closes what is left of them.
-constexpr int most_iterations = 512;
+/// Bounces of the world set that are added one by one if their number is not limited: where they leave more, GMRES is faster.
+constexpr int most_steps = 16;
+/// Applications of transport after them at most.
+constexpr int most_iterations = 256;
 /// Bounces from which on the series is geometric enough to stop: light of the samples joins in the first, and ratios need two more.
 constexpr int least_iterations = 3;
 /// Light samples that a packet of texels chooses from.
@@ -169,7 +173,10 @@ void SurfaceSolver::iterate(int orders, double tolerance) {
     world.irradiance.copy_from(source, 0, 0, count);
     BounceSeries series;
     series.add(power(source));
-    for (int k = 1; k < most_iterations && (orders < 0 || k + 2 <= orders); ++k) {
+    bounces_ = {};
+    bool ended = false;
+    const int most = limited_ ? orders - 2 : most_steps;
+    for (int k = 1; k <= most && !ended; ++k) {
         target.fill_zero();
         if (limited_) shorter_.copy_from(world.irradiance, 0, 0, count);
         if (k == 1 && lights_.samples.maps.count > 0) sum_light(false, true, target);
@@ -178,11 +185,40 @@ void SurfaceSolver::iterate(int orders, double tolerance) {
         // The series begins where all light has joined it.
         if (k == 1) series = {};
         series.add(power(source));
-        if (orders < 0 && k >= least_iterations && series.last_share() <= tolerance * tolerance_share) break;
+        bounces_.steps = k;
+        ended = !limited_ && k >= least_iterations && series.last_share() <= tolerance * tolerance_share;
     }
-    const glm::vec3 tail = orders < 0 ? glm::vec3(series.tail_factor()) : glm::vec3(0);
+    if (limited_)
+        residual_ = 0;
+    else if (ended)
+        close_series(series, source);
+    else
+        solve_rest(source, tolerance * tolerance_share);
+}
+
+/// A series that has fallen fast ends as a geometric one.
+void SurfaceSolver::close_series(const BounceSeries& series, const Buffer<float4>& last) {
+    const glm::vec3 tail(series.tail_factor());
     residual_ = glm::compMax(glm::dvec3(tail)) * series.last_share();
-    if (orders < 0) close_series(kernels_, source, tail, world.count, world.irradiance);
+    bounces_.spectral_radius = glm::compMax(series.ratio());
+    pencil::close_series(kernels_, last, tail, world_.pencils().count, world_.pencils().irradiance);
+}
+
+/// What all reflections after the last add, x = T last + T x.
+void SurfaceSolver::solve_rest(const Buffer<float4>& last, double tolerance) {
+    SurfacePencils& world = world_.pencils();
+    Buffer<float4> next(kernels_.device(), last.size(), "irradiance of the next bounce"),
+        unused(kernels_.device(), last.size(), "sums of bounces");
+    const Transport transport = [&](const Buffer<float4>& source, Buffer<float4>& target) {
+        target.fill_zero();
+        transport_irradiance(kernels_, world_.surfels(), world_.links(), world.count, world_.map(), source, target, unused);
+    };
+    transport(last, next);
+    const KrylovReport report = solve_reflections(kernels_, transport, next, world.count, tolerance, most_iterations, world.irradiance);
+    bounces_.krylov = report.applications + 1;
+    bounces_.spectral_radius = glm::compMax(report.spectral_radius);
+    bounces_.has_sum = !has_no_sum(report.spectral_radius);
+    residual_ = bounces_.has_sum ? glm::compMax(report.error) : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace pencil

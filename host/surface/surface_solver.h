@@ -3,6 +3,7 @@
 
 #include "device/pencil_set.h"
 #include "device/stage_clock.h"
+#include "film/bounce_series.h"
 #include "surface/follow_surfels.h"
 #include "surface/project_surface_pencils.h"
 #include "surface/world_set.h"
@@ -48,7 +49,10 @@ public:
     const SurfacePencils& world() const { return world_.pencils(); }
     float spacing() const { return world_.spacing(); }
     bool stopped() const { return clock_.stopped(); }
+    /// About what of the world's light is missing, relative to it.
     double residual() const { return residual_; }
+    /// How the world's bounces were added up.
+    const BounceSolve& bounces() const { return bounces_; }
 
 private:
     /// Surfels that texels see, what they send, and which of them are contacts.
@@ -63,6 +67,8 @@ private:
     void follow(Surfels& surfels);
     uint next_seed();
     void iterate(int orders, double tolerance);
+    void close_series(const BounceSeries& series, const Buffer<float4>& last);
+    void solve_rest(const Buffer<float4>& last, double tolerance);
     void reserve(Gathered& gathered, int texels);
     void gather_contacts(const Viewers& viewers, int count, const TexelPoints& points);
 
@@ -80,6 +86,7 @@ private:
     bool limited_ = false;       // not all orders are
     std::uint64_t gathers_ = 0;  // so far: each draws other light samples
     double residual_ = 0;
+    BounceSolve bounces_;
 };
 
 }  // namespace pencil

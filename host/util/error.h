@@ -8,7 +8,7 @@
 
 namespace pencil {
 
-enum class ExitCode { ok = 0, usage = 2, scene = 3, device = 4, memory = 5, output = 6, interrupted = 7 };
+enum class ExitCode { ok = 0, usage = 2, scene = 3, device = 4, memory = 5, output = 6, interrupted = 7, not_converged = 8, not_held = 9 };
 
 class Error : public std::runtime_error {
 public:

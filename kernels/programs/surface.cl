@@ -1,7 +1,9 @@
 // The surface method. Kernels that are built together, since a program costs more than a kernel.
 
 #include "close_series.cl"
+#include "combine_irradiance.cl"
 #include "cover_film.cl"
+#include "dot_irradiance.cl"
 #include "emit_hemispheres.cl"
 #include "link_surfels.cl"
 #include "measure_hemispheres.cl"

@@ -1,0 +1,107 @@
+// `pencil stress`: small scenes that are stiff or extreme, what must come out, and what does: as text, as JSON, or as the table of
+// docs/stability.md. The keys of the JSON are a contract: `schema` counts incompatible changes.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "app/interrupt.h"
+#include "options/option_values.h"
+#include "stress/run_stress.h"
+#include "stress/stress_cases.h"
+#include "util/error.h"
+
+namespace pencil {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int schema = 1;
+
+/// Those asked for by name, or all quick ones, or all.
+std::vector<StressCase> chosen(const StressCommand& command) {
+    std::vector<StressCase> rows;
+    std::vector<std::string> unknown = command.cases;
+    for (StressCase& row : stress_cases()) {
+        const auto named = std::find(unknown.begin(), unknown.end(), row.name);
+        const bool wanted = command.cases.empty() ? row.quick || command.all : named != unknown.end();
+        if (named != unknown.end()) unknown.erase(named);
+        if (wanted) rows.push_back(std::move(row));
+    }
+    if (!unknown.empty()) throw UsageError(fmt::format("no stress case \"{}\"; run without names to see them", unknown.front()));
+    return rows;
+}
+
+std::string interval_text(const Measurement& m) {
+    if (m.low == 0 && m.high == 0) return "0";
+    if (m.low == m.high) return fmt::format("{:.6g}", m.low);
+    return m.low == 0 ? fmt::format("at most {:.6g}", m.high) : fmt::format("{:.6g} to {:.6g}", m.low, m.high);
+}
+
+void print_text(const StressResult& result) {
+    std::cout << fmt::format("{:<13} {}: {}\n", to_string(result.verdict), result.row.name, result.row.scene);
+    for (const Measurement& m : result.measured)
+        std::cout << fmt::format("{:>13} {} {:.6g}, expected {}\n", m.holds() ? "" : "not", m.what, m.value, interval_text(m));
+    if (!result.error.empty()) std::cout << fmt::format("{:>13} ended by: {}\n", "", result.error);
+    if (result.verdict == Verdict::known) std::cout << fmt::format("{:>13} why: {}\n", "", result.row.known);
+    std::cout.flush();
+}
+
+/// A row of the table: measurements one after the other, without the time where it is kept.
+void print_markdown(const StressResult& result) {
+    std::string expected, measured;
+    for (const Measurement& m : result.measured) {
+        if (m.what == "seconds" && m.holds()) continue;
+        expected += fmt::format("{}{}: {}", expected.empty() ? "" : "; ", m.what, interval_text(m));
+        measured += fmt::format("{}{:.4g}", measured.empty() ? "" : "; ", m.value);
+    }
+    if (!result.error.empty()) measured += " (" + result.error + ")";
+    std::cout << fmt::format("| `{}` | {} | {} | {} | {:.1f} | {} |\n", result.row.name, result.row.scene, expected, measured,
+                             result.seconds, to_string(result.verdict) + (result.verdict == Verdict::known ? ": " + result.row.known : ""));
+    std::cout.flush();
+}
+
+Json result_json(const StressResult& result) {
+    Json measured = Json::array();
+    for (const Measurement& m : result.measured)
+        measured.push_back({{"what", m.what}, {"value", m.value}, {"low", m.low}, {"high", m.high}, {"holds", m.holds()}});
+    return {{"name", result.row.name},  {"scene", result.row.scene}, {"measured", measured},
+            {"error", result.error},    {"seconds", result.seconds}, {"verdict", to_string(result.verdict)},
+            {"known", result.row.known}};
+}
+
+void print_json(const std::vector<StressResult>& results, const Device& device) {
+    Json rows = Json::array();
+    for (const StressResult& r : results) rows.push_back(result_json(r));
+    const Json json{{"schema", schema}, {"version", PENCIL_VERSION}, {"device", device.info().name}, {"cases", rows}};
+    std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
+}
+
+}  // namespace
+
+ExitCode run_stress(const StressCommand& command) {
+    const std::vector<StressCase> rows = chosen(command);
+    const std::shared_ptr<Device> device = Device::open(command.device);
+    const bool text = !command.json && !command.markdown;
+    if (command.markdown) std::cout << "| case | scene | expected | measured | s | verdict |\n|---|---|---|---|---|---|\n";
+    std::vector<StressResult> results;
+    for (const StressCase& row : rows) {
+        if (interrupted_by() != 0) return ExitCode::interrupted;
+        results.push_back(run_case(row, device));
+        if (command.markdown) print_markdown(results.back());
+        if (text) print_text(results.back());
+    }
+    const auto with = [&](Verdict v) {
+        return std::count_if(results.begin(), results.end(), [v](const auto& r) { return r.verdict == v; });
+    };
+    if (command.json) print_json(results, *device);
+    if (text)
+        std::cout << fmt::format("{} cases hold, {} fail, {} are known to fail\n", with(Verdict::holds), with(Verdict::fails),
+                                 with(Verdict::known));
+    return with(Verdict::fails) > 0 ? ExitCode::not_held : ExitCode::ok;
+}
+
+}  // namespace pencil
