@@ -21,13 +21,12 @@ kernel void emit_hemispheres(global const float *surfels, int capacity, int surf
         add_chain_emission(surfels, c, i, materials, sky, sky_texels, radiance);
         return;
     }
+    float3 emission = surfel_emission(surfels, c, i, materials);
+    if (!any(emission > 0.0f)) return;
     int m = as_int(s[SURFEL_MATERIAL * c]);
-    if (m < 0 || m == PENCIL_NO_MATERIAL) return;  // emitters are one-sided
-    float4 emission = materials[m].emission;
-    if (!any(emission.xyz > 0.0f)) return;
     float3 step = (float3)(s[SURFEL_X * c], s[SURFEL_Y * c], s[SURFEL_Z * c]) - pencils[first_pencil + i / (n * n)].position.xyz;
     float share = near_area[m] < INFINITY ? near_area[m] / (dot(step, step) + near_area[m]) : 1.0f;
-    if (PENCIL_CLEAR) emission.xyz *= (float3)(s[SURFEL_TR * c], s[SURFEL_TG * c], s[SURFEL_TB * c]);  // seen through clear things
+    if (PENCIL_CLEAR) emission *= (float3)(s[SURFEL_TR * c], s[SURFEL_TG * c], s[SURFEL_TB * c]);  // seen through clear things
     radiance[i] += share * emission.x;
     radiance[c + i] += share * emission.y;
     radiance[2 * c + i] += share * emission.z;

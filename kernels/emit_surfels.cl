@@ -1,7 +1,6 @@
 // Emitted radiance of surfels: the initial gather of L_e (thesis 6.1.3), or the emission layer of the film.
 
-#include "shared/material.h"
-#include "shared/surfel.h"
+#include "lib/emission.cl"
 
 /// launch : 1-D, one work-item per surfel
 /// in     : surfels; materials; carried_only 1: only emitters that the pencil maps carry (the "emission" form), 0: all
@@ -10,10 +9,9 @@ kernel void emit_surfels(global const float *surfels, int capacity, int surfel_c
                          global float *radiance) {
     int i = get_global_id(0);
     if (i >= surfel_count) return;
-    int m = as_int(surfels[(size_t)SURFEL_MATERIAL * capacity + i]);
-    if (m < 0 || m == PENCIL_NO_MATERIAL) return;  // emitters are one-sided
-    float4 emission = materials[m].emission;
-    if (carried_only && emission.w == 0.0f) return;
+    float3 emission = surfel_emission(surfels, capacity, i, materials);
+    if (!any(emission > 0.0f)) return;
+    if (carried_only && materials[as_int(surfels[(size_t)SURFEL_MATERIAL * capacity + i])].emission.w == 0.0f) return;
     radiance[i] += emission.x;
     radiance[(size_t)capacity + i] += emission.y;
     radiance[2 * (size_t)capacity + i] += emission.z;

@@ -26,8 +26,12 @@ typedef struct Chain {
     float pdf;     // of the direction there; 0: of a lobe without width, -1: there is no such vertex
     bool on_film;  // it lies on the film
     uint bits;
+    uint3 first;  // where the first direction lies among those of the surfel's chains, as fractions of 2^32
     bool open;
 } Chain;
+
+/// Point k of a sequence that fills the cube evenly: multiples of the powers of 1 / 1.22074, the root of x^4 = x + 1 (Roberts 2018).
+static inline uint3 even_point(uint k) { return k * (uint3)(0xd1b54a33u, 0xabc98388u, 0x8cb92ba7u); }
 
 static inline float chain_random(Chain *c) {
     c->bits = hash_uint(c->bits);
@@ -75,8 +79,12 @@ static inline void step_chain(Chain *c, bool always, int steps, global const Mat
         end_chain(c);
         return;
     }
-    float u = chain_random(c), v = chain_random(c), w = chain_random(c);
-    BsdfSample s = bsdf_sample(&c->at.bsdf, omega_o, (float3)(u, v, w));
+    float3 u;
+    if (always)
+        u = convert_float3(c->first >> UNIT_SHIFT) * UNIT_STEP;
+    else
+        u = (float3)(chain_random(c), chain_random(c), chain_random(c));
+    BsdfSample s = bsdf_sample(&c->at.bsdf, omega_o, u);
     frame_t = width > 1e-6f ? across / width : (float3)(0.0f);
     if (width > 1e-6f)
         frame_b = cross(n, frame_t);
@@ -119,11 +127,12 @@ static inline void arrive_chain(Chain *c, int triangle, float distance, const Su
 
 /// launch : 1-D, one work-item per packet of PENCIL_WIDTH chains
 /// in     : from[from_capacity]: surfels that chains start on; starts[chain_count]: which of them, where there is a list, else chain k starts on
-///          surfel first + k; always 1: every chain takes a first step along the lobes, 0: it may stop on its surfel; near_first, near_next
+///          surfel first + k; shared: so many chains one after the other start on the same, and all take a first step along the lobes, 0: each has a
+///          surfel of its own and may stop there; near_first, near_next
 ///          [material]: of the light samples that reach the first vertex and the others (emit_hemispheres.cl); sky_first, sky_next: number of those
 ///          that are the sky's; the scene; seed
 /// out    : surfels[capacity], from number `first` on: where chains end, with what they carry. May be the same buffer as `from`.
-kernel void follow_surfels(global const float *from, int from_capacity, global const int *starts, int listed, int always, int chain_count,
+kernel void follow_surfels(global const float *from, int from_capacity, global const int *starts, int listed, int shared, int chain_count,
                            global const float *near_first, global const float *near_next, float sky_first, float sky_next, uint seed,
                            global const BvhNode *nodes, global const int *leaves, SURFACES_PARAMETERS, global float *surfels, int capacity,
                            int first) {
@@ -136,10 +145,15 @@ kernel void follow_surfels(global const float *from, int from_capacity, global c
     for (int l = 0; l < PENCIL_WIDTH; ++l) {
         Chain *c = chains + l;
         c->open = begin + l < chain_count;
-        c->pdf = always ? 0.0f : -1.0f;  // what the film sees through clear things it sees; hemispheres have light samples for it
+        c->pdf = shared ? 0.0f : -1.0f;  // what the film sees through clear things it sees; hemispheres have light samples for it
         c->on_film = false;
         c->bits = hash_uint(seed + hash_uint((uint)(begin + l)));
         if (!c->open) continue;
+        if (shared) {
+            uint of_surfel = hash_uint(seed ^ hash_uint((uint)((begin + l) / shared)));
+            uint3 from_surfel = (uint3)(of_surfel, hash_uint(of_surfel), hash_uint(of_surfel ^ 0x5bd1e995u));
+            c->first = even_point((uint)((begin + l) % shared)) + from_surfel;
+        }
         int start = listed ? starts[begin + l] : first + begin + l;
         c->at = load_vertex(from, from_capacity, start, materials, bitmaps);
         c->t.factor = (float3)(1.0f);
@@ -156,7 +170,7 @@ kernel void follow_surfels(global const float *from, int from_capacity, global c
 #pragma unroll 1
         for (int l = 0; l < PENCIL_WIDTH; ++l) {
             Chain *c = chains + l;
-            if (c->open) step_chain(c, always && steps == 0, steps, materials);
+            if (c->open) step_chain(c, shared && steps == 0, steps, materials);
             end[l] = c->open ? INFINITY : -1.0f;
             own[l] = c->open ? c->at.plane : -1;
             for (int k = 0; k < 3; ++k) o[k][l] = d[k][l] = 0.0f;

@@ -32,5 +32,5 @@ kernel void place_surface_pencils(global const float *surfels, int capacity, glo
     pencil->plane = as_int(s[SURFEL_PLANE * c]);
     pencil->key = keys[item];
     pencil->spacing = spacing;
-    pencil->unused = 0;
+    pencil->emitters = INFINITY;
 }

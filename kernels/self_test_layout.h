@@ -25,7 +25,7 @@
     FIELD(Material, back) FIELD(Material, first) FIELD(Material, second) FIELD(Material, weight)                                    \
     FIELD(Material, albedo_texture) FIELD(Material, specular_texture) FIELD(Material, alpha_texture)                                \
     FIELD(Material, weight_texture) FIELD(Material, normal_texture) FIELD(Material, emission_texture)                               \
-    FIELD(Material, metallic_texture) FIELD(Material, gloss) FIELD(Material, varnish)                                               \
+    FIELD(Material, metallic_texture) FIELD(Material, gloss) FIELD(Material, varnish) FIELD(Material, glow)                                               \
     SIZE(TextureRow)                                                                                                                \
     FIELD(TextureRow, row_u) FIELD(TextureRow, row_v) FIELD(TextureRow, colour) FIELD(TextureRow, kind)                             \
     FIELD(TextureRow, first) FIELD(TextureRow, width) FIELD(TextureRow, height) FIELD(TextureRow, wrap_u)                           \

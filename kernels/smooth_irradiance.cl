@@ -27,7 +27,7 @@ kernel void smooth_irradiance(global const SurfacePencil *pencils, global const 
     float3 x = own->position.xyz, n = own->normal.xyz, t, b;
     tangent_frame(n, &t, &b);
     // In units of the mean distance of what is seen: neighbours lie within it, whatever the scale of the scene.
-    float unit = fmax(own->position.w, FLT_MIN);
+    float unit = fmax(own->facing.w, FLT_MIN);
     // Sums of weights, of (s, u) and the irradiance, and of their products.
     float w = 0.0f, ws = 0.0f, wu = 0.0f, wss = 0.0f, wsu = 0.0f, wuu = 0.0f;
     float3 e0 = (float3)(0.0f), es = (float3)(0.0f), eu = (float3)(0.0f);

@@ -187,13 +187,16 @@ static inline Aim aim_check(CheckPath *p, const CheckLights *lights, const Surfa
     } else {
         global const Triangle *t = scene->triangles + e->triangle;
         float root = sqrt(v);
-        a.segment = ((1.0f - root) * t->v0 + root * (1.0f - w) * t->v1 + root * w * t->v2).xyz - p->at.x;
+        float3 corners = (float3)(1.0f - root, root * (1.0f - w), root * w);
+        a.segment = (corners.x * t->v0 + corners.y * t->v1 + corners.z * t->v2).xyz - p->at.x;
         float square = dot(a.segment, a.segment);
         a.direction = a.segment * rsqrt(square);
         float light_cosine = -dot(scene->planes[t->plane].xyz, a.direction);
         if (!(light_cosine > 0.0f)) return a;
-        a.light = scene->materials[t->material].emission.xyz;
-        a.density = emitter_luminance(a.light) / lights->power * square / light_cosine;
+        global const Material *m = scene->materials + t->material;
+        TexturePoint at = texture_point(scene, e->triangle, corners);
+        a.light = emission_at(scene, m, &at);
+        a.density = emitter_luminance(m->emission.xyz) / lights->power * square / light_cosine;
     }
     return a;
 }
@@ -241,16 +244,21 @@ static inline void arrive(CheckPath *p, float3 direction, int triangle, float di
         return;
     }
     Hit hit = {triangle, 1.0f / distance};
-    float3 emission = scene->materials[scene->triangles[triangle].material].emission.xyz;
+    float3 mean = scene->materials[scene->triangles[triangle].material].emission.xyz;
     float4 plane = scene->planes[scene->triangles[triangle].plane];
     float light_cosine = -dot(plane.xyz, direction);
-    if (light_cosine > 0.0f && any(emission > 0.0f)) {
-        float3 segment = p->at.x + distance * direction - p->from;
-        float density = emitter_luminance(emission) / lights->power * dot(segment, segment) / light_cosine;
-        p->sum += p->throughput * emission * (p->pdf > 0.0f ? p->pdf / (p->pdf + density) : 1.0f);
-    }
+    float3 segment = p->at.x + distance * direction - p->from;
     p->bits = hash_uint(p->bits);
     p->at = meet_surface(scene, hit, (float4)(p->at.x, 0.0f), (float4)(direction, 0.0f), p->bits);
+    if (light_cosine > 0.0f && any(mean > 0.0f)) {
+#if PENCIL_GLOW
+        float3 emission = p->at.emission;
+#else
+        float3 emission = mean;
+#endif
+        float density = emitter_luminance(mean) / lights->power * dot(segment, segment) / light_cosine;
+        p->sum += p->throughput * emission * (p->pdf > 0.0f ? p->pdf / (p->pdf + density) : 1.0f);
+    }
 }
 
 /// Rays from the vertices along `directions` up to `end`; none where that is below 0.

@@ -72,8 +72,8 @@ def random_room(rng, folder, name):
 
 
 class Trust:
-    def __init__(self, arguments, folder):
-        self.pencil, self.folder, self.budget = arguments.pencil, folder, arguments.reference_time
+    def __init__(self, arguments, folder, more=()):
+        self.more, self.pencil, self.folder, self.budget = list(more), arguments.pencil, folder, arguments.reference_time
         self.limit = arguments.limit
         self.off = self.low = self.endless = self.count = 0
 
@@ -81,7 +81,7 @@ class Trust:
         files = [self.folder / f'{name}-reference-{seed}.exr' for seed in (1, 2)]
         for seed, file in enumerate(files, 1):
             if not file.exists():
-                subprocess.run([self.pencil, 'reference', scene, '-o', file, '--time', str(self.budget), '--seed', str(seed), '--aov', 'none', '--quiet', *defines],
+                subprocess.run([self.pencil, 'reference', scene, '-o', file, '--time', str(self.budget), '--seed', str(seed), '--aov', 'none', '--quiet', *self.more, *defines],
                                check=True)
         return [pixels(file) for file in files]
 
@@ -97,7 +97,7 @@ class Trust:
         image, stats = self.folder / f'{name}.exr', self.folder / f'{name}.json'
         begun = time.time()
         try:
-            run = subprocess.run([self.pencil, 'render', scene, '-o', image, '--stats', stats, '--quiet', *defines], capture_output=True, text=True,
+            run = subprocess.run([self.pencil, 'render', scene, '-o', image, '--stats', stats, '--quiet', *self.more, *defines], capture_output=True, text=True,
                                  timeout=self.limit)
         except subprocess.TimeoutExpired:
             self.count, self.endless = self.count + 1, self.endless + 1

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cl/kernel_source.h"
+#include "shared/surfel.h"
 
 namespace pencil {
 
@@ -15,6 +16,7 @@ Features scene_features(const FlatScene& scene, int film_samples, bool lobes) {
         features.blends = features.blends || material.model == MATERIAL_BLEND || material.back >= 0;
         features.clear = features.clear || (lobes && (material.flags & MATERIAL_CLEAR) != 0);
         features.relief = features.relief || material.normal_texture >= 0;
+        features.glow = features.glow || material.emission_texture >= 0;
         const bool even = material.model == MATERIAL_DIFFUSE || material.model == MATERIAL_BLEND;
         features.lobes = features.lobes || (lobes && !even);
     }
@@ -24,6 +26,8 @@ Features scene_features(const FlatScene& scene, int film_samples, bool lobes) {
     features.far_light = features.sky || scene.far_light;
     return features;
 }
+
+int Features::surfel_fields() const { return glow ? SURFEL_FIELDS_GLOW : outgoing() ? SURFEL_FIELDS_OUTGOING : SURFEL_FIELDS; }
 
 /// Names and numbers of the models that kernels may leave out.
 const std::vector<std::pair<std::string, int>>& optional_models() {
@@ -44,6 +48,7 @@ Defines to_defines(const Features& features, int block) {
                     {"PENCIL_TEXTURES", features.textures ? "1" : "0"},
                     {"PENCIL_CLEAR", features.clear ? "1" : "0"},
                     {"PENCIL_RELIEF", features.relief ? "1" : "0"},
+                    {"PENCIL_GLOW", features.glow ? "1" : "0"},
                     {"PENCIL_WEIGHTS", std::to_string(features.weights)},
                     {"PENCIL_CELL_GRID", std::to_string(features.cell_grid)},
                     {"PENCIL_BVH", features.bvh ? "1" : "0"},

@@ -18,13 +18,17 @@ struct Features {
     std::set<int> models;   // of reflection, that some material has (shared/material.h)
     bool blends = false;    // some material is one of two others, or has a back of its own
     bool textures = false;
-    bool clear = false;                             // some surface lets light pass unturned: shadows have shares
-    bool relief = false;                            // some texture turns shading normals
-    bool lobes = false;                             // some material scatters along lobes, which are followed
-    bool wide_camera = false;                       // rays of the film do not all come from one point
-    bool far_light = false;                         // some light comes from infinitely far away, or from a spot
-    bool sky = false;                               // there is light from infinitely far away all around
-    bool outgoing() const { return lobes || sky; }  // surfels carry the direction that they are seen from
+    bool clear = false;        // some surface lets light pass unturned: shadows have shares
+    bool relief = false;       // some texture turns shading normals
+    bool lobes = false;        // some material scatters along lobes, which are followed
+    bool wide_camera = false;  // rays of the film do not all come from one point
+    bool far_light = false;    // some light comes from infinitely far away, or from a spot
+    bool sky = false;          // there is light from infinitely far away all around
+    bool glow = false;         // some emitter's radiance is a texture
+    /// Surfels carry the direction that they are seen from.
+    bool outgoing() const { return lobes || sky || glow; }
+    /// Fields of a surfel (shared/surfel.h).
+    int surfel_fields() const;
     // What the method needs:
     int weights = PENCIL_WEIGHTS_DPDF;  // form of the quadrature weights (shared/weights.h)
     int cell_grid = 0;                  // root of the greatest number of directions that sample Voronoi cells, 0 for other weights

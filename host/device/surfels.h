@@ -19,7 +19,7 @@ struct Surfels {
     Surfels() = default;
     /// With the fields that these kernels write.
     Surfels(const Kernels& kernels, int surfel_count, const std::string& what)
-        : Surfels(kernels.device(), surfel_count, what, SURFEL_FIELDS_WITH(kernels.features().outgoing())) {}
+        : Surfels(kernels.device(), surfel_count, what, kernels.features().surfel_fields()) {}
     Surfels(const std::shared_ptr<Device>& device, int surfel_count, const std::string& what, int field_count = SURFEL_FIELDS)
         : capacity(surfel_capacity(surfel_count)),
           count(surfel_count),

@@ -23,9 +23,6 @@ std::vector<std::string> approximations(const Scene& scene, const MethodNeeds& n
             materials, [](const SceneMaterial& m) { return m.alpha.x != m.alpha.y || m.principled.anisotropic > 0; }),
         "roughness that differs by direction counts as the same in all: the mean of both");
     say(any(
-            scene.shapes, [](const Shape& s) { return s.radiance_texture != no_texture; }),
-        "textured emitters shine in their mean colour");
-    say(any(
             materials, [](const SceneMaterial& m) { return m.transmitted_texture != no_texture; }),
         "textures of what glass lets through are left out");
     say(!needs.lobes && any(materials, [](const SceneMaterial& m) { return m.model != MATERIAL_DIFFUSE && m.model != MATERIAL_BLEND; }),

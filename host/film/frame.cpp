@@ -53,7 +53,7 @@ void Frame::make_lights(int count, int map, const Turn& turn) {
     if (map > 0) make_geometry_maps(context_.kernels, context_.device_scene, lights_.maps, 0, lights_.maps.count);
 }
 
-bool Frame::add_direct() {
+bool Frame::add_direct(const std::function<void()>& light) {
     RenderStats& stats = context_.stats;
     stats.film_surfels = static_cast<std::uint64_t>(film_->surfels().count);
     if (context_.options.bounces == 0) return false;
@@ -64,6 +64,7 @@ bool Frame::add_direct() {
     outgoing_ = surfel_rgb(context_.kernels.device(), film_->surfels().capacity, "film radiance");
     if (lights_.maps.count == 0) return true;
     context_.clock.run("direct light", [&] {
+        if (light) return light();
         light_surfels(context_.kernels, context_.device_scene, film_->surfels(), lights_, outgoing_, "direct light to film");
     });
     if (!context_.maps_emit) finish_bounce(1, 0, 0);

@@ -1,6 +1,7 @@
 // One image in the making: the film and its surfels, the light samples, direct light, and the layers that reflections are added to.
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "device/pencil_set.h"
@@ -18,8 +19,8 @@ public:
     Frame(RenderContext& context, const std::vector<std::string>& aovs, int light_samples, int light_map, const Turn& turn);
 
     /// Direct light of the light samples goes into outgoing(), and is finished as order 1 unless maps carry more of it. False if nothing
-    /// can be added: no light, or no reflections wanted.
-    bool add_direct();
+    /// can be added: no light, or no reflections wanted. `light` adds it instead of light_surfels.
+    bool add_direct(const std::function<void()>& light = {});
 
     /// Adds what outgoing() holds as the reflection of this order to the layers, and clears it. `pencils`: size of the set that carried it.
     void finish_bounce(int order, int pencils, double projection_seconds);

@@ -8,6 +8,7 @@
 #include "pencils/flat_sky.h"
 #include "pencils/low_discrepancy.h"
 #include "pencils/warps.h"
+#include "scene/texture_lookup.h"
 
 namespace pencil {
 
@@ -33,8 +34,22 @@ LightSample area_sample(const Triangle& t, const float4& plane, const glm::dvec3
     return s;
 }
 
+/// Emitted radiance of a point of a triangle, in the unit of the scene file.
+glm::dvec3 radiance_at(const Scene& scene, const FlatScene& flat, const Triangle& t, const glm::dvec3& b) {
+    const Shape& shape = scene.shapes[static_cast<std::size_t>(t.shape)];
+    if (shape.radiance_texture == no_texture) return glm::dvec3(shape.radiance);
+    const auto first = 3 * static_cast<std::size_t>(&t - flat.triangles.data());
+    const auto mean = [&](const auto* corner) {
+        return static_cast<float>(b.x) * corner[0] + static_cast<float>(b.y) * corner[1] + static_cast<float>(b.z) * corner[2];
+    };
+    const glm::vec2 uv = flat.uvs.empty() ? glm::vec2(0) : mean(flat.uvs.data() + first);
+    const Texture& texture = scene.textures[static_cast<std::size_t>(shape.radiance_texture)];
+    return glm::dvec3(shape.radiance) * glm::dvec3(look_up(texture, uv, glm::vec3(1)));
+}
+
 struct ShapeTriangles {
     std::size_t shape = 0;
+    double luminance = 0;  // of its mean radiance
     double area = 0;
     std::vector<const Triangle*> triangles;
     std::vector<double> up_to;  // weight of the triangles up to and with this one: without receivers their area
@@ -106,10 +121,14 @@ std::vector<ShapeTriangles> emitting_shapes(const Scene& scene, const FlatScene&
     std::vector<ShapeTriangles> emitters;
     for (const Triangle& t : flat.triangles) {
         const auto shape = static_cast<std::size_t>(t.shape);
-        if (!scene.shapes[shape].emits || forms[shape] != LightForm::samples || luminance(scene.shapes[shape].radiance) <= 0) continue;
-        if (emitters.empty() || emitters.back().shape != shape) emitters.push_back({shape, 0, {}, {}});
+        if (!scene.shapes[shape].emits || forms[shape] != LightForm::samples) continue;
+        if (emitters.empty() || emitters.back().shape != shape)
+            emitters.push_back(
+                {shape, luminance(glm::dvec3(mean_radiance(scene, scene.shapes[shape])) / flat.normalisation.light), 0, {}, {}});
         emitters.back().triangles.push_back(&t);
     }
+    emitters.erase(std::remove_if(emitters.begin(), emitters.end(), [](const ShapeTriangles& e) { return !(e.luminance > 0); }),
+                   emitters.end());
     for (ShapeTriangles& e : emitters) {
         order_along_curve(e.triangles);
         weigh(e, flat, receivers);
@@ -125,7 +144,7 @@ struct ShapeSamples {
 
 /// Systematic in the weight, so that each triangle gets its share to within one sample; low-discrepancy within the triangles and from one set
 /// to the next.
-void sample_shape(const ShapeTriangles& e, const FlatScene& flat, const glm::dvec3& radiance, const ShapeSamples& own,
+void sample_shape(const ShapeTriangles& e, const Scene& scene, const FlatScene& flat, const ShapeSamples& own,
                   std::vector<LightSample>& samples) {
     const double start = fraction(random_unit(own.seed, 2, 0) + static_cast<double>(own.turn) * golden_ratio);
     const double step = e.up_to.back() / static_cast<double>(own.count);
@@ -134,13 +153,14 @@ void sample_shape(const ShapeTriangles& e, const FlatScene& flat, const glm::dve
     std::size_t triangle = 0;
     std::uint64_t within = used(0);
     for (long k = 0; k < own.count; ++k, ++within) {
-        const double at = (static_cast<double>(k) + start) * step;
-        while (triangle + 1 < e.up_to.size() && e.up_to[triangle] <= at) within = used(++triangle);
+        const double passed = (static_cast<double>(k) + start) * step;
+        while (triangle + 1 < e.up_to.size() && e.up_to[triangle] <= passed) within = used(++triangle);
         const Triangle& t = *e.triangles[triangle];
         const glm::dvec2 shift(random_unit(own.seed, 0, triangle), random_unit(own.seed, 1, triangle));
         const double area = step * glm::length(area_vector(t)) / e.weight(triangle), near = e.area / static_cast<double>(own.count);
-        samples.push_back(
-            area_sample(t, flat.planes[static_cast<std::size_t>(t.plane)], radiance, area, near, triangle_point(within, shift)));
+        const glm::dvec3 at = triangle_point(within, shift);
+        samples.push_back(area_sample(t, flat.planes[static_cast<std::size_t>(t.plane)],
+                                      radiance_at(scene, flat, t, at) / flat.normalisation.light, area, near, at));
     }
 }
 
@@ -219,14 +239,12 @@ std::vector<LightSample> sample_lights(const Scene& scene, const FlatScene& flat
     const double sky = sampled_sky_power(flat.sky, flat.sky_texels) * cross_section(flat);
     // Each emitting shape gets samples in proportion to its power, at least one, spread over its triangles by area.
     std::vector<ShapeTriangles> emitters = emitting_shapes(scene, flat, forms, receivers);
-    const auto radiance_of = [&](const ShapeTriangles& e) { return glm::dvec3(scene.shapes[e.shape].radiance) / flat.normalisation.light; };
     double total = sky;
-    for (const ShapeTriangles& e : emitters) total += pi * e.area * luminance(radiance_of(e));
+    for (const ShapeTriangles& e : emitters) total += pi * e.area * e.luminance;
     for (const ShapeTriangles& e : emitters) {
-        const glm::dvec3 radiance = radiance_of(e);
-        const double share = pi * e.area * luminance(radiance) / total;
+        const double share = pi * e.area * e.luminance / total;
         const long own = std::max(std::lround(share * count), 1L);
-        sample_shape(e, flat, radiance, {own, hash64(seed) ^ e.shape, turn}, samples);
+        sample_shape(e, scene, flat, {own, hash64(seed) ^ e.shape, turn}, samples);
     }
     if (sky > 0) sample_sky(flat.sky, flat.sky_texels, sky_samples(sky / total, count), seed, turn, samples);
     return samples;

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <glm/gtc/packing.hpp>
 
 #include "pencils/varnish_table.h"
 #include "scene/light_unit.h"
+#include "scene/texture_lookup.h"
 
 namespace pencil {
 
@@ -61,15 +61,6 @@ std::uint64_t packed(const glm::u16vec4& texel) {
     return bits;
 }
 
-/// Mean colour of a texture.
-glm::vec3 mean_colour(const Texture& texture) {
-    if (texture.kind == Texture::Kind::checkerboard) return 0.5F * (texture.colours[0] + texture.colours[1]);
-    if (texture.texels.empty()) return glm::vec3(1);
-    glm::dvec3 sum(0);
-    for (const glm::u16vec4& texel : texture.texels) sum += glm::dvec3(glm::unpackHalf4x16(packed(texel)));
-    return glm::vec3(sum / static_cast<double>(texture.texels.size()));
-}
-
 }  // namespace
 
 /// True if some light goes on unturned behind the surface.
@@ -102,9 +93,9 @@ int MaterialRows::row(std::size_t material, std::int64_t emitter, bool two_sided
     if (emitter >= 0) {
         const Shape& shape = scene_.shapes[static_cast<std::size_t>(emitter)];
         const bool carried = forms_[static_cast<std::size_t>(emitter)] == LightForm::maps;
-        const glm::vec3 tint =
-            shape.radiance_texture >= 0 ? mean_colour(scene_.textures[static_cast<std::size_t>(shape.radiance_texture)]) : glm::vec3(1);
-        made.emission = float4(in_light_unit(glm::dvec3(shape.radiance) * glm::dvec3(tint), light_), carried ? 1.0F : 0.0F);
+        made.emission = float4(in_light_unit(mean_radiance(scene_, shape), light_), carried ? 1.0F : 0.0F);
+        made.glow = float4(in_light_unit(shape.radiance, light_), 0.0F);
+        made.emission_texture = shape.radiance_texture;
     }
     const int index = static_cast<int>(rows_.size());
     rows_.push_back(made);

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "reference/lamp.h"
-#include "reference/texture_lookup.h"
 #include "scene/light_unit.h"
+#include "scene/texture_lookup.h"
 
 namespace pencil {
 namespace {

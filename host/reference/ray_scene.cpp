@@ -6,9 +6,9 @@
 #include <cmath>
 #include <string>
 
-#include "reference/texture_lookup.h"
 #include "scene/light_unit.h"
 #include "scene/split_triangle.h"
+#include "scene/texture_lookup.h"
 #include "util/error.h"
 
 namespace pencil {

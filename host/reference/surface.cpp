@@ -1,6 +1,6 @@
 #include "reference/surface.h"
 
-#include "reference/texture_lookup.h"
+#include "scene/texture_lookup.h"
 
 namespace pencil {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "reference/texture_lookup.h"
+#include "scene/texture_lookup.h"
 
 namespace pencil {
 namespace {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "surface/cover_film.h"
+#include "surface/limit_reuse.h"
 #include "surface/place_surface_pencils.h"
 #include "surface/project_film_pencils.h"
 #include "surface/smooth_irradiance.h"
@@ -109,11 +110,12 @@ std::vector<int> FilmPencils::finer_pixels(const std::vector<unsigned char>& unc
 }
 
 void FilmPencils::refine(SurfaceSolver& solver, const TexelPoints& points) {
-    const auto gather = [&] {
+    const auto gather = [&](int spacing) {
         solver.gather(pencils_, gathered_, pencils_.count - gathered_, points);
+        limit_reuse(kernels_, pencils_, pencil_at_, spacing, gathered_, film_.width(), film_.height());
         gathered_ = pencils_.count;
     };
-    gather();
+    gather(lattice_.coarsest);
     for (int spacing = lattice_.coarsest; spacing > 1 && !solver.stopped(); spacing /= 2) {
         const std::vector<int> pixels = finer_pixels(uncovered(spacing), spacing);
         if (static_cast<double>(pixels.size()) > most_new * static_cast<double>(at_.size())) {
@@ -121,7 +123,7 @@ void FilmPencils::refine(SurfaceSolver& solver, const TexelPoints& points) {
             break;
         }
         place(pixels, spacing / 2);
-        gather();
+        gather(spacing / 2);
     }
     if (solver.stopped()) return;
     place_singles(uncovered(finest_));

@@ -10,11 +10,11 @@ void follow_surfels(Kernels& kernels, const DeviceScene& scene, const ChainLight
         .run(kernels.packets(count), "follow lobes");
 }
 
-void follow_surfels(Kernels& kernels, const DeviceScene& scene, const Surfels& from, const Buffer<int>& starts, const ChainLights& lights,
-                    uint seed, Surfels& surfels) {
+void follow_surfels(Kernels& kernels, const DeviceScene& scene, const Surfels& from, const Buffer<int>& starts, int shared,
+                    const ChainLights& lights, uint seed, Surfels& surfels) {
     const int count = static_cast<int>(starts.size());
     kernels.get("follow_surfels")
-        .args(from.store(), starts, 1, 1, count, lights.list(), seed, scene.hierarchy(), scene.surfaces(), surfels.store(), 0)
+        .args(from.store(), starts, 1, shared, count, lights.list(), seed, scene.hierarchy(), scene.surfaces(), surfels.store(), 0)
         .run(kernels.packets(count), "follow lobes");
 }
 

@@ -23,8 +23,9 @@ struct ChainLights {
 /// Surfels from number `first` on that have lobes become what chains along these end on, or stop where they are.
 void follow_surfels(Kernels& kernels, const DeviceScene& scene, const ChainLights& lights, int first, uint seed, Surfels& surfels);
 
-/// The same for chains that all take a first step along the lobes of surfels `starts` of `from`.
-void follow_surfels(Kernels& kernels, const DeviceScene& scene, const Surfels& from, const Buffer<int>& starts, const ChainLights& lights,
-                    uint seed, Surfels& surfels);
+/// The same for chains that all take a first step along the lobes of surfels `starts` of `from`, of which `shared` one after the other are the
+/// same: their first steps are spread over its lobes.
+void follow_surfels(Kernels& kernels, const DeviceScene& scene, const Surfels& from, const Buffer<int>& starts, int shared,
+                    const ChainLights& lights, uint seed, Surfels& surfels);
 
 }  // namespace pencil

@@ -6,7 +6,7 @@ namespace pencil {
 
 namespace {
 
-/// Lights of their own that a packet considers: more of them take turns.
+/// Lights of their own that a packet considers, if it does not consider all samples: more of them take turns.
 constexpr int most_alone = 24;
 
 }  // namespace
@@ -15,8 +15,8 @@ void sample_lights(Kernels& kernels, const DeviceScene& scene, const Surfels& su
                    uint seed, Buffer<float>& outgoing) {
     kernels.get("sample_lights")
         .args(surfels.list(), lights.list(), scene.hierarchy(), scene.surfaces(),
-              static_cast<float>(lights.maps.count) / static_cast<float>(draws), lights.alone, std::max(lights.alone / most_alone, 1),
-              stride, draws, seed, outgoing)
+              static_cast<float>(lights.maps.count) / static_cast<float>(draws), lights.alone,
+              stride == 1 ? 1 : std::max(lights.alone / most_alone, 1), stride, draws, seed, outgoing)
         .run(kernels.packets(surfels.count), "direct light to surface pencils");
 }
 

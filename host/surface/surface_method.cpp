@@ -10,6 +10,7 @@
 #include "pencils/low_discrepancy.h"
 #include "surface/add_reflections.h"
 #include "surface/light_lobes.h"
+#include "surface/sample_lights.h"
 #include "util/error.h"
 
 namespace pencil {
@@ -84,8 +85,18 @@ constexpr double hopeless = 100;
 /// Residual of reflections that float's rounding may leave at high albedos: no reason to warn.
 constexpr double least_residual = 1e-3;
 
-/// Chains along the lobes of a surfel of the film in a pass.
-constexpr int chains_per_surfel = 4;
+/// Of more light samples than the first, packets of the film's surfels draw the second: a thousand lamps light most places by a few.
+constexpr int most_film_samples = 256, film_draws = 64;
+
+/// How many light samples there are to each one that lights a surfel.
+double fewer_lights(int samples) { return samples > most_film_samples ? static_cast<double>(samples) / film_draws : 1; }
+
+/// Chains along the lobes of a surfel of the film in a pass: as many as make this share of the rays of film pencils, from 4 to 64.
+constexpr double chain_share = 0.25;
+
+int chains_per_surfel(double film_rays, std::size_t surfels) {
+    return static_cast<int>(std::lround(std::clamp(chain_share * film_rays / static_cast<double>(surfels), 4.0, 64.0)));
+}
 
 /// Surfels whose material scatters along lobes.
 std::vector<int> surfels_with_lobes(const Surfels& surfels, const std::vector<Material>& materials) {
@@ -183,7 +194,7 @@ bool SurfaceMethod::add_pass(const SurfacePass& pass) {
     const std::vector<std::string>& aovs = context_.options.aovs;
     frame_ = std::make_unique<Frame>(context_, index_ == 0 ? aovs : light_layers(aovs), pass.light_samples, 0, turn);
     const std::vector<float> emission = frame_->layers().beauty();
-    const bool lit = frame_->add_direct();
+    const bool lit = add_direct(hash64(turn.seed + 2) + turn.index);
     if (lit) add_bounces(pass, turn);
     mean_.add(frame_->take_layers(), pass.weight, pass.generation);
     check_.add_emission(emission, pass.weight);
@@ -192,13 +203,29 @@ bool SurfaceMethod::add_pass(const SurfacePass& pass) {
     return lit;
 }
 
+/// Light of the samples: of all of them, or of those that packets draw. False if nothing can be added to the direct light.
+bool SurfaceMethod::add_direct(std::uint64_t seed) {
+    const LightSet& lights = frame_->lights();
+    if (fewer_lights(lights.maps.count) == 1) return frame_->add_direct();
+    return frame_->add_direct([&] {
+        sample_lights(context_.kernels, context_.device_scene, frame_->film().surfels(), lights, 1, film_draws,
+                      static_cast<uint>(hash64(seed) >> 32), frame_->outgoing());
+    });
+}
+
 /// The world set of the passes from this one on, from what its frame shows.
 void SurfaceMethod::place_world(const SurfacePass& pass, const FilmPixels& pixels) {
     const auto& device = context_.kernels.device();
     const std::uint64_t seed = hash64(hash64(context_.options.seed) + static_cast<std::uint64_t>(pass.world_set) + 1);
     const std::vector<LightSample> samples = sample_lights(context_.scene, context_.flat, context_.forms, pass.texel_light_samples, seed);
-    SurfaceLights lights{samples.empty() ? LightSet() : LightSet(device, samples, 0), lobe_lights(context_, frame_->light_samples(), 1),
-                         Buffer<float>(device, near_areas(context_.flat, samples), "near areas of emitters"),
+    const std::vector<LightSample>& of_film = frame_->light_samples();
+    const auto near = [&](const std::vector<LightSample>& s) {
+        return Buffer<float>(device, near_areas(context_.flat, s), "near areas of emitters");
+    };
+    SurfaceLights lights{samples.empty() ? LightSet() : LightSet(device, samples, 0),
+                         near(of_film),
+                         near(samples),
+                         lobe_lights(context_, of_film, fewer_lights(static_cast<int>(of_film.size()))),
                          lobe_lights(context_, samples, static_cast<double>(samples.size()) / light_draws),
                          lobe_lights(context_, samples, static_cast<double>(samples.size()) / chain_draws)};
     // As many more pencils lie so much closer.
@@ -235,9 +262,9 @@ void SurfaceMethod::add_bounces(const SurfacePass& pass, const Turn& turn) {
     context_.clock.run("film pencils", [&] { film.refine(*solver_, points); });
     context_.stats.film_pencils += static_cast<std::uint64_t>(film.count());
     context_.clock.run("project film", [&] { film.project(frame_->outgoing()); });
-    if (context_.kernels.features().lobes) context_.clock.run("reflections", [&] { add_lobes(); });
-    frame_->finish_bounce(FilmLayers::indirect, film.count(), 0);
     film_rays_ = static_cast<double>(film.count()) * pass.lattice.map * pass.lattice.map;
+    if (context_.kernels.features().lobes) context_.clock.run("reflections", [&] { add_lobes(film_rays_); });
+    frame_->finish_bounce(FilmLayers::indirect, film.count(), 0);
     if (const int paths = check_paths(); paths > 0)
         context_.clock.run("check error", [&] { check_.add(frame_->film(), paths, hash64(turn.seed + 1) + turn.index); });
 }
@@ -268,18 +295,19 @@ void SurfaceMethod::report_bounces() {
 }
 
 /// What the film shows along the lobes of its surfaces: light samples on them, and chains that follow them.
-void SurfaceMethod::add_lobes() {
+void SurfaceMethod::add_lobes(double film_rays) {
     const Surfels& surfels = frame_->film().surfels();
     const std::vector<int> with_lobes = surfels_with_lobes(surfels, context_.flat.materials);
     if (with_lobes.empty()) return;
     const auto& device = context_.kernels.device();
-    if (frame_->lights().maps.count > 0)
+    if (const int count = frame_->lights().maps.count; count > 0 && fewer_lights(count) == 1)
         light_lobes(context_.kernels, context_.device_scene, surfels, Buffer<int>(device, with_lobes, "surfels with lobes"),
                     frame_->lights(), frame_->outgoing());
-    const Buffer<int> starts(device, repeated(with_lobes, chains_per_surfel), "starts of chains");
+    const int shared = chains_per_surfel(film_rays, with_lobes.size());
+    const Buffer<int> starts(device, repeated(with_lobes, shared), "starts of chains");
     Surfels chains(context_.kernels, static_cast<int>(starts.size()), "ends of chains");
-    const Buffer<float> radiance = solver_->follow(surfels, starts, chains);
-    add_reflections(context_.kernels, radiance, chains, starts, chains_per_surfel, surfels.capacity, frame_->outgoing());
+    const Buffer<float> radiance = solver_->follow(surfels, starts, shared, chains);
+    add_reflections(context_.kernels, radiance, chains, starts, shared, surfels.capacity, frame_->outgoing());
 }
 
 double SurfaceMethod::estimated_error() const {

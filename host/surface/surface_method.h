@@ -47,8 +47,9 @@ public:
 
 private:
     bool add_pass(const SurfacePass& pass);
+    bool add_direct(std::uint64_t seed);
     void add_bounces(const SurfacePass& pass, const Turn& turn);
-    void add_lobes();
+    void add_lobes(double film_rays);
     void place_world(const SurfacePass& pass, const FilmPixels& pixels);
     int world_map() const;
     int check_paths() const;

@@ -6,6 +6,7 @@
 
 #include "film/bounce_series.h"
 #include "pencils/low_discrepancy.h"
+#include "surface/approach_emitters.h"
 #include "surface/close_series.h"
 #include "surface/emit_chains.h"
 #include "surface/emit_hemispheres.h"
@@ -98,9 +99,9 @@ void SurfaceSolver::follow(Surfels& surfels) {
     if (kernels_.features().lobes) follow_surfels(kernels_, scene_, {lights_.drawn, lights_.drawn}, 0, next_seed(), surfels);
 }
 
-Buffer<float> SurfaceSolver::follow(const Surfels& film, const Buffer<int>& starts, Surfels& chains) {
+Buffer<float> SurfaceSolver::follow(const Surfels& film, const Buffer<int>& starts, int shared, Surfels& chains) {
     Buffer<float> radiance = surfel_rgb(kernels_.device(), chains.capacity, "radiance of chains");
-    follow_surfels(kernels_, scene_, film, starts, {lights_.film, lights_.chains}, next_seed(), chains);
+    follow_surfels(kernels_, scene_, film, starts, shared, {lights_.film, lights_.chains}, next_seed(), chains);
     emit_chains(kernels_, scene_, chains, radiance);
     if (direct_) light(chains, chain_draws, radiance, next_seed());
     if (const SurfacePencils& world = world_.pencils(); world.count > 0) {
@@ -118,8 +119,9 @@ void SurfaceSolver::gather(SurfacePencils& pencils, int first, int count, const 
         reserve(seen_, part * pencils.texels());
         trace_hemispheres(kernels_, scene_, pencils, at, part, points, surfels);
         measure_hemispheres(kernels_, surfels, 0, at, part, pencils);
+        approach_emitters(kernels_, scene_, surfels, at, part, lights_.near_film, pencils);
         follow(surfels);
-        emit_hemispheres(kernels_, scene_, surfels, pencils, at, lights_.film.near, outgoing);
+        emit_hemispheres(kernels_, scene_, surfels, pencils, at, lights_.near_film, outgoing);
         if (direct_) light(seen_);
         if (const SurfacePencils& world = world_.pencils(); world.count > 0) {
             project_surface_pencils(kernels_, surfels, world, world.irradiance, world_.grid(), {pencils, at}, contacts_ ? nearness : 0,

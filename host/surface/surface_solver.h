@@ -22,9 +22,10 @@ struct WorldQuality {
 /// What lights surface pencils.
 struct SurfaceLights {
     LightSet samples;          // that texels draw from
-    LobeLights film;           // near_areas of the film's light samples
+    Buffer<float> near_film;   // near_areas of the film's light samples,
     Buffer<float> near_texel;  // and of those
-    LobeLights drawn;          // the latter as texels draw them: few of all,
+    LobeLights film;           // the film's samples as surfels with lobes draw them,
+    LobeLights drawn;          // the texels' as texels do: few of all,
     LobeLights chains;         // and as chains of the film do: some more
 };
 
@@ -44,7 +45,7 @@ public:
 
     /// What chains of lobes that start on surfels `starts` of the film find: radiance[3][capacity of `chains`] that they carry [W m^-2 sr^-1],
     /// emission and reflections.
-    Buffer<float> follow(const Surfels& film, const Buffer<int>& starts, Surfels& chains);
+    Buffer<float> follow(const Surfels& film, const Buffer<int>& starts, int shared, Surfels& chains);
 
     const SurfacePencils& world() const { return world_.pencils(); }
     float spacing() const { return world_.spacing(); }

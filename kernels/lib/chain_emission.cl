@@ -1,5 +1,6 @@
 // Emission at the end of a chain of lobes (follow_surfels.cl), or of the sky where a ray has met nothing.
 
+#include "lib/emission.cl"
 #include "lib/sky.cl"
 #include "shared/material.h"
 #include "shared/surfel.h"
@@ -9,13 +10,12 @@ static inline void add_chain_emission(global const float *surfels, size_t c, int
                                       global float *radiance) {
     global const float *s = surfels + i;
     float3 emission = (float3)(0.0f);
-    int m = as_int(s[SURFEL_MATERIAL * c]);
     if (as_int(s[SURFEL_PLANE * c]) < 0) {
         // In place of the share: the density of the ray's direction, as sky_radiance has it.
         if (PENCIL_SKY)
             emission = sky_radiance(sky, sky_texels, -(float3)(s[SURFEL_OX * c], s[SURFEL_OY * c], s[SURFEL_OZ * c]), s[SURFEL_SHARE * c]);
-    } else if (m >= 0 && m != PENCIL_NO_MATERIAL) {
-        emission = s[SURFEL_SHARE * c] * materials[m].emission.xyz;
+    } else {
+        emission = s[SURFEL_SHARE * c] * surfel_emission(surfels, c, i, materials);
     }
     radiance[i] += s[SURFEL_TR * c] * emission.x;
     radiance[c + i] += s[SURFEL_TG * c] * emission.y;

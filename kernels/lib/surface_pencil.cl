@@ -40,5 +40,5 @@ static inline float reuse_distance(global const SurfacePencil *p, float3 x, floa
 
 /// Ward's estimate of the relative change of irradiance from the pencil to a point at `distance` from it with normal n.
 static inline float reuse_error(global const SurfacePencil *p, float distance, float3 n) {
-    return distance / p->position.w + REUSE_TURN * sqrt(fmax(1.0f - dot(p->normal.xyz, n), 0.0f));
+    return distance / p->facing.w + REUSE_TURN * sqrt(fmax(1.0f - dot(p->normal.xyz, n), 0.0f));
 }

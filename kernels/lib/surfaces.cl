@@ -33,8 +33,11 @@ typedef struct Vertex {
     float3 n, g;    // unit shading and geometric normal on the side that was seen
     float3 o;       // unit direction to where it was seen from
     float3 albedo;  // of the base
-    int plane;      // -1: nothing was met
-    int row;        // of materials; ~row if the back was seen
+#if PENCIL_GLOW
+    float3 emission;  // of the side that was seen [W m^-2 sr^-1]
+#endif
+    int plane;  // -1: nothing was met
+    int row;    // of materials; ~row if the back was seen
     Bsdf bsdf;
 } Vertex;
 
@@ -102,22 +105,9 @@ static inline float3 relief_normal(const Surfaces *s, global const Material *m, 
     global const TextureRow *t = s->textures + m->normal_texture;
     float3 relief;
     if (m->flags & MATERIAL_BUMP) {
-        // A quarter of a texel each way: slopes of the bilinear filter, where none is crossed.
-        float2 size = t->kind == TEXTURE_BITMAP ? (float2)(t->width, t->height) : (float2)(64.0f);
-        float2 step = 0.25f / fmax((float2)(fabs(t->row_u.x) * size.x + fabs(t->row_v.x) * size.y,
-                                            fabs(t->row_u.y) * size.x + fabs(t->row_v.y) * size.y),
-                                   1e-6f);
-        TexturePoint low = *at, high = *at;
-        low.uv.x -= step.x;
-        high.uv.x += step.x;
-        float by_u = (texture_value(t, s->bitmaps, &high).x - texture_value(t, s->bitmaps, &low).x) / (2.0f * step.x);
-        low.uv = high.uv = at->uv;
-        low.uv.y -= step.y;
-        high.uv.y += step.y;
-        float by_v = (texture_value(t, s->bitmaps, &high).x - texture_value(t, s->bitmaps, &low).x) / (2.0f * step.y);
-        float scale = m->transmitted.w;
-        du += (scale * by_u - dot(n, du)) * n;
-        dv += (scale * by_v - dot(n, dv)) * n;
+        float2 slope = m->transmitted.w * texture_slope(t, s->bitmaps, at);
+        du += (slope.x - dot(n, du)) * n;
+        dv += (slope.y - dot(n, dv)) * n;
         relief = cross(du, dv);
     } else {
         float3 turned = 2.0f * texture_value(t, s->bitmaps, at).xyz - 1.0f, tangent = du - dot(n, du) * n;
@@ -144,6 +134,22 @@ static inline bool side_scatters(global const Material *m, bool front) {
     return m->model == MATERIAL_DIELECTRIC || m->model == MATERIAL_PASS || (m->model == MATERIAL_PRINCIPLED && m->parameters[1] > 0.0f);
 }
 
+/// A point of a triangle at barycentric weights w.
+static inline TexturePoint texture_point(const Surfaces *s, int triangle, float3 w) {
+    TexturePoint at = {(float2)(0.0f), w, triangle};
+    if (PENCIL_TEXTURES) {
+        global const float2 *uv = s->uvs + 3 * (size_t)triangle;
+        at.uv = w.x * uv[0] + w.y * uv[1] + w.z * uv[2];
+    }
+    return at;
+}
+
+/// Emitted radiance of the front of material m at a point [W m^-2 sr^-1].
+static inline float3 emission_at(const Surfaces *s, global const Material *m, const TexturePoint *at) {
+    if (!PENCIL_GLOW || m->emission_texture < 0) return m->emission.xyz;
+    return m->glow.xyz * texture_value(s->textures + m->emission_texture, s->bitmaps, at).xyz;
+}
+
 /// What the ray from `cop` along `direction` meets on triangle hit.triangle >= 0, at 1 / hit.disparity; bits: random, for blends.
 static inline Vertex meet_surface(const Surfaces *s, Hit hit, float4 cop, float4 direction, uint bits) {
     global const Triangle *t = s->triangles + hit.triangle;
@@ -160,11 +166,10 @@ static inline Vertex meet_surface(const Surfaces *s, Hit hit, float4 cop, float4
         float3 m = w.x * corner[0].xyz + w.y * corner[1].xyz + w.z * corner[2].xyz;
         if (dot(m, m) > 0.0f) v.n = normalize(front ? m : -m);
     }
-    TexturePoint at = {(float2)(0.0f), w, hit.triangle};
-    if (PENCIL_TEXTURES) {
-        global const float2 *uv = s->uvs + 3 * (size_t)hit.triangle;
-        at.uv = w.x * uv[0] + w.y * uv[1] + w.z * uv[2];
-    }
+    TexturePoint at = texture_point(s, hit.triangle, w);
+#if PENCIL_GLOW
+    v.emission = front ? emission_at(s, s->materials + t->material, &at) : (float3)(0.0f);
+#endif
     int row = scattering_row(s, t->material, front, &at, bits);
     if (PENCIL_RELIEF) v.n = front ? relief_normal(s, s->materials + row, &at, v.n) : -relief_normal(s, s->materials + row, &at, -v.n);
     v.row = front ? row : ~row;
@@ -188,6 +193,9 @@ static inline Vertex meet_surface(const Surfaces *s, Hit hit, float4 cop, float4
 static inline Vertex meet_nothing(float3 direction) {
     Vertex v;
     v.x = v.n = v.g = v.albedo = (float3)(0.0f);
+#if PENCIL_GLOW
+    v.emission = (float3)(0.0f);
+#endif
     v.o = -normalize(direction);
     v.plane = -1;
     v.row = PENCIL_NO_MATERIAL;

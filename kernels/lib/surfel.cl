@@ -21,19 +21,24 @@ static inline void store_vertex(global float *surfels, int capacity, int i, cons
     if (!PENCIL_OUTGOING) return;
     bool lobes = v->bsdf.model != MATERIAL_DIFFUSE;
     float3 specular = lobes ? v->bsdf.specular : (float3)(0.0f);
-    float more[SURFEL_FIELDS_WITH(1) - SURFEL_FIELDS] = {v->o.x,
-                                                         v->o.y,
-                                                         v->o.z,
-                                                         t.factor.x,
-                                                         t.factor.y,
-                                                         t.factor.z,
-                                                         t.share,
-                                                         specular.x,
-                                                         specular.y,
-                                                         specular.z,
-                                                         lobes ? v->bsdf.alpha : 0.0f,
-                                                         lobes ? v->bsdf.metallic : 0.0f};
-    for (int f = 0; f < SURFEL_FIELDS_WITH(1) - SURFEL_FIELDS; ++f) s[(SURFEL_FIELDS + f) * c] = more[f];
+    float more[SURFEL_FIELDS_OUTGOING - SURFEL_FIELDS] = {v->o.x,
+                                                          v->o.y,
+                                                          v->o.z,
+                                                          t.factor.x,
+                                                          t.factor.y,
+                                                          t.factor.z,
+                                                          t.share,
+                                                          specular.x,
+                                                          specular.y,
+                                                          specular.z,
+                                                          lobes ? v->bsdf.alpha : 0.0f,
+                                                          lobes ? v->bsdf.metallic : 0.0f};
+    for (int f = 0; f < SURFEL_FIELDS_OUTGOING - SURFEL_FIELDS; ++f) s[(SURFEL_FIELDS + f) * c] = more[f];
+#if PENCIL_GLOW
+    s[SURFEL_ER * c] = v->emission.x;
+    s[SURFEL_EG * c] = v->emission.y;
+    s[SURFEL_EB * c] = v->emission.z;
+#endif
 }
 
 /// Writes surfel `i`: what the ray from `cop` along `direction` meets at 1 / hit.disparity; bits: random, for blends.
@@ -58,6 +63,9 @@ static inline Vertex load_vertex(global const float *surfels, size_t capacity, i
     v.g = surfel_vector(surfels, capacity, i, SURFEL_GX);
     v.o = surfel_vector(surfels, capacity, i, SURFEL_OX);
     v.albedo = surfel_vector(surfels, capacity, i, SURFEL_ALBEDO_R);
+#if PENCIL_GLOW
+    v.emission = surfel_vector(surfels, capacity, i, SURFEL_ER);
+#endif
     v.plane = as_int(surfels[SURFEL_PLANE * capacity + i]);
     v.row = as_int(surfels[SURFEL_MATERIAL * capacity + i]);
     v.bsdf.model = MATERIAL_DIFFUSE;

@@ -2,6 +2,9 @@
 
 #include "shared/texture.h"
 
+/// Coordinates end here [texels]: beyond it floats have no fractions left to speak of.
+#define TEXTURE_FAR 1e6f
+
 /// Texel index of a coordinate in texels that may lie outside.
 static inline int wrap_texel(int i, int size, int wrap) {
     if (wrap == TEXTURE_CLAMP) return clamp(i, 0, size - 1);
@@ -18,8 +21,7 @@ static inline float4 bitmap_texel(global const TextureRow *t, global const half 
 
 /// Colour and opacity of a bitmap at (u, v), row 0 from v = 0 on.
 static inline float4 bitmap_value(global const TextureRow *t, global const half *texels, float2 uv) {
-    float limit = 1e6f;  // beyond it floats have no fractions left to speak of
-    float2 at = clamp(uv * (float2)(t->width, t->height), -limit, limit);
+    float2 at = clamp(uv * (float2)(t->width, t->height), -TEXTURE_FAR, TEXTURE_FAR);
     if (t->nearest) return bitmap_texel(t, texels, (int)floor(at.x), (int)floor(at.y));
     at -= 0.5f;
     float2 low = floor(at), f = at - low;
@@ -52,4 +54,18 @@ static inline float4 texture_value(global const TextureRow *t, global const half
 /// The value of an optional texture, 1 without one.
 static inline float4 texture_or_one(int texture, global const TextureRow *textures, global const half *texels, const TexturePoint *p) {
     return texture >= 0 ? texture_value(textures + texture, texels, p) : (float4)(1.0f);
+}
+
+/// Derivatives by u and v of the luminance of a bitmap's bilinear filter; other textures have none.
+static inline float2 texture_slope(global const TextureRow *t, global const half *texels, const TexturePoint *p) {
+    if (t->kind != TEXTURE_BITMAP) return (float2)(0.0f);
+    float3 q = (float3)(p->uv, 1.0f), rec709 = (float3)(0.2126f, 0.7152f, 0.0722f);
+    float2 at = (float2)(dot(t->row_u.xyz, q) * t->width, dot(t->row_v.xyz, q) * t->height) - 0.5f;
+    at = clamp(at, -TEXTURE_FAR, TEXTURE_FAR);
+    float2 low = floor(at), f = at - low;
+    int x = (int)low.x, y = (int)low.y;
+    float a = dot(bitmap_texel(t, texels, x, y).xyz, rec709), b = dot(bitmap_texel(t, texels, x + 1, y).xyz, rec709);
+    float c = dot(bitmap_texel(t, texels, x, y + 1).xyz, rec709), d = dot(bitmap_texel(t, texels, x + 1, y + 1).xyz, rec709);
+    float by_column = t->width * mix(b - a, d - c, f.y), by_row = t->height * mix(c - a, d - b, f.x);
+    return by_column * t->row_u.xy + by_row * t->row_v.xy;
 }

@@ -1,10 +1,12 @@
 // The surface method. Kernels that are built together, since a program costs more than a kernel.
 
+#include "approach_emitters.cl"
 #include "close_series.cl"
 #include "combine_irradiance.cl"
 #include "cover_film.cl"
 #include "dot_irradiance.cl"
 #include "emit_hemispheres.cl"
+#include "limit_reuse.cl"
 #include "link_surfels.cl"
 #include "measure_hemispheres.cl"
 #include "place_surface_pencils.cl"

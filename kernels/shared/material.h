@@ -64,6 +64,8 @@ typedef struct Material {
     int unused_x;
     int unused_y;
     //------------------------------------------------- 176 B
+    float4 glow;  // rgb: what the texture of the emission is multiplied by; emission is the mean
+    //------------------------------------------------- 192 B
 } Material;
 PENCIL_SHARED_TYPE(Material)
 

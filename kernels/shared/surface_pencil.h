@@ -12,17 +12,17 @@ PENCIL_SHARED_BEGIN
 typedef struct SurfacePencil {
     float4 position;  // xyz [scene units]; w: harmonic mean of the distances seen [scene units], INFINITY if nothing is
     float4 normal;    // xyz: unit shading normal of the seen side; w: radius within which it may be used [scene units]
-    float4 facing;    // xyz: unit geometric normal of that side; w unused
+    float4 facing;    // xyz: unit geometric normal of that side; w: of film pencils, position.w or the distance of emitters
     //------------------------------------------------- 48 B
     // What stands at the horizon of each sector, the nearest plane and then the next: points p of the tangent plane with
     // p.x horizon_x + p.y horizon_y >= 1 are behind it; 0 if there is none [1 / scene units]
     float horizon_x[2 * RING_SECTORS];
     float horizon_y[2 * RING_SECTORS];
     //------------------------------------------------- 176 B
-    int plane;    // of the surface that it lies on: index into planes
-    uint key;     // decides where in its texels the points lie that it sees
-    int spacing;  // at which it joined the lattice of film pencils [pixels]; 0 if it lies on none
-    int unused;
+    int plane;       // of the surface that it lies on: index into planes
+    uint key;        // decides where in its texels the points lie that it sees
+    int spacing;     // at which it joined the lattice of film pencils [pixels]; 0 if it lies on none
+    float emitters;  // harmonic mean distance of the emitters seen whose light pencils carry [scene units], INFINITY if none is
     //------------------------------------------------- 192 B
 } SurfacePencil;
 PENCIL_SHARED_TYPE(SurfacePencil)

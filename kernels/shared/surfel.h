@@ -34,7 +34,13 @@
 #define SURFEL_SB 23
 #define SURFEL_ALPHA 24     // roughness
 #define SURFEL_METALLIC 25  // principled
-// Number of fields, with or without them.
-#define SURFEL_FIELDS_WITH(outgoing) ((outgoing) ? 26 : SURFEL_FIELDS)
+
+// Of scenes with emitters whose radiance is a texture (Features::glow, on the device PENCIL_GLOW), which have those fields, too:
+#define SURFEL_ER 26  // emitted radiance of the side that was seen [W m^-2 sr^-1]
+#define SURFEL_EG 27
+#define SURFEL_EB 28
+
+#define SURFEL_FIELDS_OUTGOING 26
+#define SURFEL_FIELDS_GLOW 29
 
 #define PENCIL_NO_MATERIAL 0x7fffffff

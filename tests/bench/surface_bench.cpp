@@ -2,6 +2,7 @@
 
 #include "shared/film.h"
 #include "surface/film_pencils.h"
+#include "surface/limit_reuse.h"
 #include "surface/measure_hemispheres.h"
 
 namespace pencil::bench {
@@ -89,10 +90,11 @@ LatticeBench::LatticeBench()
     Surfels seen(device(), pencils.count * pencils.texels(), "surfels of film pencils");
     trace_hemispheres(kernels, world_bench().scene, pencils, 0, pencils.count, {}, seen);
     measure_hemispheres(kernels, seen, 0, 0, pencils.count, pencils);
+    at = Buffer<int>(device(), host_at, "film pencils by pixel");
+    limit_reuse(kernels, pencils, at, finest, 0, film.width(), film.height());
     irradiance = varied(pencils.count);
     pencils.irradiance.write(irradiance);
     host_pencils = pencils.data.read(0, static_cast<std::size_t>(pencils.count));
-    at = Buffer<int>(device(), host_at, "film pencils by pixel");
 }
 
 FilmSurfels LatticeBench::shown() const {

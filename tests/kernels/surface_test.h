@@ -97,6 +97,7 @@ struct BumpySurface {
         p.position = to_float4(x, random.uniform(0.05, 0.8));
         p.normal = to_float4(normal(), radius);
         p.facing = p.normal;
+        p.facing.w = p.position.w;
         for (int s = 0; s < 2 * RING_SECTORS; ++s) {
             if (random.uniform() < 0.5) continue;
             p.horizon_x[s] = static_cast<float>(random.uniform(-8, 8));

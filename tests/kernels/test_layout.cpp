@@ -26,7 +26,7 @@ namespace {
 // The rules of the headers ("---- 64 B"), which array strides in buffers depend on.
 static_assert(sizeof(float4) == 16 && sizeof(uint) == 4);
 static_assert(sizeof(Triangle) == 64 && offsetof(Triangle, plane) == 48);
-static_assert(sizeof(Material) == 176 && offsetof(Material, emission) == 16 && offsetof(Material, model) == 32);
+static_assert(sizeof(Material) == 192 && offsetof(Material, emission) == 16 && offsetof(Material, model) == 32);
 static_assert(offsetof(Material, specular) == 48 && offsetof(Material, flags) == 112);
 static_assert(sizeof(TextureRow) == 96 && offsetof(TextureRow, kind) == 64);
 static_assert(sizeof(Sky) == 64 && offsetof(Sky, width) == 48);

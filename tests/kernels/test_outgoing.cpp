@@ -29,7 +29,7 @@ template <typename Viewer>
 void check(const Surfels& off, const Surfels& on, const Viewer& viewer) {
     const HostSurfels without(off), with(on);
     ASSERT_EQ(without.data.size(), without.capacity * SURFEL_FIELDS) << "nothing is allocated for it";
-    ASSERT_EQ(with.data.size(), with.capacity * SURFEL_FIELDS_WITH(true));
+    ASSERT_EQ(with.data.size(), with.capacity * SURFEL_FIELDS_OUTGOING);
     ASSERT_EQ(with.count, without.count);
     for (int f = 0; f < SURFEL_FIELDS; ++f) ASSERT_EQ(field_bits(with, f), field_bits(without, f)) << "field " << f;
     int seen = 0;
@@ -90,8 +90,8 @@ TEST(Outgoing, ReserveKeepsAllFields) {
     surfels.reserve(device(), 1000, "many");
     const HostSurfels after(surfels);
     ASSERT_EQ(after.count, 100);
-    ASSERT_EQ(after.data.size(), after.capacity * SURFEL_FIELDS_WITH(true));
-    for (int f = 0; f < SURFEL_FIELDS_WITH(true); ++f)
+    ASSERT_EQ(after.data.size(), after.capacity * SURFEL_FIELDS_OUTGOING);
+    for (int f = 0; f < SURFEL_FIELDS_OUTGOING; ++f)
         for (int i = 0; i < after.count; ++i) ASSERT_EQ(after.at(f, i), before.at(f, i)) << "field " << f << " of surfel " << i;
 }
 

@@ -105,7 +105,7 @@ inline Fit fit(const Lattice& lattice, const std::vector<float4>& irradiance, in
     }
     const double w = moments[0][0];
     const double spread = moments[1][1] - moments[0][1] * moments[0][1] / w + moments[2][2] - moments[0][2] * moments[0][2] / w;
-    const double tiny = std::max(no_step(x), slope_tiny * static_cast<double>(own.position.w));
+    const double tiny = std::max(no_step(x), slope_tiny * static_cast<double>(own.facing.w));
     const double hold = slope_hold * spread + w * tiny * tiny;
     moments[1][1] += hold;
     moments[2][2] += hold;

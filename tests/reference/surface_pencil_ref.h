@@ -64,7 +64,7 @@ struct Reuse {
 
 inline double reuse_error(const SurfacePencil& p, double distance, const dvec3& n) {
     const double turn = std::max(1.0 - glm::dot(xyz(p.normal), n), 0.0);
-    return distance / static_cast<double>(p.position.w) + turn_weight * std::sqrt(turn);
+    return distance / static_cast<double>(p.facing.w) + turn_weight * std::sqrt(turn);
 }
 
 /// Whether, and how well, the pencil stands for the point x with normal n.

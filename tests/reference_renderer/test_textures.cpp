@@ -1,8 +1,8 @@
 // Values of textures between and beyond their texels.
 #include <gtest/gtest.h>
 
-#include "reference/texture_lookup.h"
 #include "reference_renderer/test_images.h"
+#include "scene/texture_lookup.h"
 
 namespace {
 

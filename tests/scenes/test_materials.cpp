@@ -1,4 +1,6 @@
 // Materials with lobes: the surface method against the path tracer.
+#include <glm/gtc/packing.hpp>
+
 #include "scenes/against_paths.h"
 
 namespace {
@@ -78,8 +80,64 @@ const std::vector<Case> cases{{"Mirror", metal(0.0F)},
                               {"Principled", principled(0.3F, 0.0F, 1.0F)},
                               {"PrincipledGlass", principled(0.0F, 1.0F, 0.0F)}};
 
-class Materials : public testing::TestWithParam<Case> {};
-TEST_P(Materials, AreThePathTracers) { expect_path_tracers(room_with(GetParam().material), GetParam().bound); }
-INSTANTIATE_TEST_SUITE_P(Of, Materials, testing::ValuesIn(cases), [](const auto& tested) { return std::string(tested.param.name); });
+class MaterialModels : public testing::TestWithParam<Case> {};
+TEST_P(MaterialModels, AreThePathTracers) { expect_path_tracers(room_with(GetParam().material), GetParam().bound); }
+
+/// Stripes of some heights or colours.
+Texture stripes() {
+    Texture texture;
+    texture.width = 8;
+    texture.height = 4;
+    for (int i = 0; i < 32; ++i) {
+        const float value = i % 8 < 3 ? 0.1F : 0.9F;
+        texture.texels.push_back(glm::packHalf(glm::vec4(value, 0.5F * value, 1.0F - value, 1.0F)));
+    }
+    return texture;
+}
+
+/// Texture coordinates of all of the scene: x and z of the world, y on what stands.
+void unwrap(Scene& scene) {
+    for (const dvec3& p : scene.positions) scene.uvs.emplace_back(p.x + 0.5 * p.y, p.z + 0.5 * p.y);
+}
+
+TEST(Materials, TexturedEmittersShineAsTheirTexturesSay) {
+    Scene scene = room_with(metal(0.3F));
+    scene.textures.push_back(stripes());
+    unwrap(scene);
+    for (Shape& shape : scene.shapes)
+        if (shape.emits) shape.radiance_texture = 0;
+    expect_path_tracers(scene, 0.01);
+}
+
+TEST(Materials, ReliefIsThePathTracers) {
+    SceneMaterial bumpy = with_model(MATERIAL_DIFFUSE, 0.0F);
+    bumpy.normal_texture = 0;
+    bumpy.bump = true;
+    bumpy.bump_scale = 0.05F;
+    Scene scene = room_with(bumpy);
+    scene.textures.push_back(stripes());
+    unwrap(scene);
+    expect_path_tracers(scene, 0.01);
+}
+
+/// The floor behind the plane of an emitter that stands on it is black, however little of the scene says so: nothing but the emitter is near.
+TEST(Materials, NoLightBehindAnEmitter) {
+    Scene scene;
+    add_quad(scene, "floor", {-2, 0, -2}, {0, 0, 4}, {4, 0, 0}, Surface{glm::vec3(0.6F)});
+    add_quad(scene, "lamp", {-0.5, 0.1, 0}, {1, 0, 0}, {0, 1, 0}, Surface{glm::vec3(0.0F), glm::vec3(1.0F)});
+    look_at(scene, {0, 4, 0.001}, {0, 0, 0}, {0, 0, -1}, 50.0, compared_size, compared_size);
+    const RenderResult result = render_layers(scene, compared_options());
+    const Layer& image = layer(result, "");
+    double lit = 0, dark = 0;
+    for (std::size_t row = 0; row < compared_size; ++row)
+        for (std::size_t column = 0; column < compared_size; ++column) {
+            const double value = pixel(image, row * compared_size + column).y;
+            (row < compared_size / 2 - 1 ? dark : lit) += value;
+        }
+    EXPECT_GT(lit, 1.0);
+    EXPECT_LT(dark, 1e-3 * lit);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, MaterialModels, testing::ValuesIn(cases), [](const auto& tested) { return std::string(tested.param.name); });
 
 }  // namespace

@@ -53,7 +53,7 @@ void smooth_irradiance(const LatticeView& film, const float4* irradiance, float 
                 const Vec3 x = xyz(own.position), n = xyz(own.normal);
                 Vec3 t, b;
                 tangent_frame(n, t, b);
-                const float unit = own.position.w;
+                const float unit = own.facing.w;
                 Sums sums;
                 for (int dy = -smooth_reach; dy <= smooth_reach; ++dy)
                     for (int dx = -smooth_reach; dx <= smooth_reach; ++dx) {

@@ -72,6 +72,12 @@ void transport_irradiance(const SurfelsView& surfels, const glm::ivec4* links, c
 /// total += tail * last.
 void close_series(const float4* last, const float4& tail, int count, float4* total);
 
+/// Harmonic mean distance of the emitters that pencils see, by the share of their light that light samples leave.
+void approach_emitters(const SceneView& scene, const SurfelsView& surfels, int count, int n, const float* near_area, SurfacePencil* pencils);
+
+/// reaches: by pencil, at most the distance of emitters from neighbours at `spacing`.
+void limit_reuse(const LatticeView& film, int spacing, float* reaches);
+
 /// 1 where the surfels in question are not covered, else 0.
 void cover_film(const LatticeView& film, float most_error, unsigned char* uncovered);
 

@@ -60,7 +60,7 @@ inline float reuse_distance(const SurfacePencil& p, const Vec3& x, const Vec3& n
     return clear_horizon(p, step) ? distance : infinite;
 }
 inline float reuse_error(const SurfacePencil& p, float distance, const Vec3& n) {
-    return distance / p.position.w + turn * std::sqrt(std::max(1.0F - dot(xyz(p.normal), n), 0.0F));
+    return distance / p.facing.w + turn * std::sqrt(std::max(1.0F - dot(xyz(p.normal), n), 0.0F));
 }
 
 /// visit(pencil, corner pixel's x and y, spacing) for the pencils at the lattice points about pixel (x, y).

@@ -1,4 +1,4 @@
-#include "reference/texture_lookup.h"
+#include "scene/texture_lookup.h"
 
 #include <array>
 #include <cmath>
@@ -91,6 +91,11 @@ glm::vec3 mean_colour(const Texture& texture) {
     glm::dvec3 sum(0.0);
     for (const glm::u16vec4& t : texture.texels) sum += glm::dvec3(half[t.x], half[t.y], half[t.z]);
     return glm::vec3(sum / static_cast<double>(texture.texels.size()));
+}
+
+glm::vec3 mean_radiance(const Scene& scene, const Shape& shape) {
+    if (shape.radiance_texture == no_texture) return shape.radiance;
+    return shape.radiance * mean_colour(scene.textures[static_cast<std::size_t>(shape.radiance_texture)]);
 }
 
 }  // namespace pencil

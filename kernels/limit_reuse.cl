@@ -1,0 +1,30 @@
+// How far a film pencil may be used: as what it sees is far away, and no further than emitters are from it or from its neighbours, which may see
+// emitters that it does not (neighbour clamping, Krivanek et al. 2006). DEVIATION: clamped by emitters alone: by all that is near, twice the pencils
+// are needed about contacts, to no gain.
+
+#include "lib/surface_pencil.cl"
+#include "shared/surface_pencil.h"
+
+/// Neighbours to each side.
+#define LIMIT_REACH 2
+
+/// launch : 1-D, one work-item per pixel
+/// in     : pencil_at[pixel], -1: none; spacing: of the neighbours [pixels]; first_new: pencils from this one on have no limit yet
+/// in/out : pencils: facing.w
+kernel void limit_reuse(global SurfacePencil *pencils, global const int *pencil_at, int spacing, int first_new, int width, int height) {
+    int pixel = get_global_id(0);
+    if (pixel >= width * height || pencil_at[pixel] < 0) return;
+    global SurfacePencil *own = pencils + pencil_at[pixel];
+    int2 at = (int2)(pixel % width, pixel / width);
+    float least = pencil_at[pixel] < first_new ? own->facing.w : own->position.w;
+    for (int dy = -LIMIT_REACH; dy <= LIMIT_REACH; ++dy)
+        for (int dx = -LIMIT_REACH; dx <= LIMIT_REACH; ++dx) {
+            int2 p = at + spacing * (int2)(dx, dy);
+            if (p.x < 0 || p.y < 0 || p.x >= width || p.y >= height) continue;
+            int index = pencil_at[p.y * width + p.x];
+            if (index < 0) continue;
+            float distance = reuse_distance(pencils + index, own->position.xyz, own->normal.xyz, INFINITY);
+            if (distance < INFINITY) least = fmin(least, pencils[index].emitters + distance);
+        }
+    own->facing.w = least;
+}
