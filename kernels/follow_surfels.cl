@@ -23,6 +23,7 @@ typedef struct Chain {
     Throughput t;
     float3 direction;
     float3 from;   // the last vertex that turned the chain
+    float sign;    // of what it carries
     float pdf;     // of the direction there; 0: of a lobe without width, -1: there is no such vertex
     bool on_film;  // it lies on the film
     uint bits;
@@ -53,6 +54,44 @@ static inline void end_chain(Chain *c) {
     c->t.factor = (float3)(0.0f);
 }
 
+/// Weight of light that a base scatters otherwise than evenly, beside lobes, when a chain of the film chooses.
+#define CHAIN_UNEVEN 0.25f
+/// The density of a direction in place of which light samples have taken all they can.
+#define CHAIN_TAKEN 1e-20f
+
+/// True of models whose bases look at where light comes from.
+static inline bool base_is_uneven(int model) {
+    return model == MATERIAL_PLASTIC || model == MATERIAL_PRINCIPLED || model == MATERIAL_ROUGH_DIFFUSE;
+}
+
+/// A direction for what the base of a surfel of the film scatters beside the even share that its irradiance says (project_film_pencils.cl): of
+/// either sign. Light samples do the same for themselves (lobe_light.cl).
+static inline BsdfSample sample_uneven(Chain *c, float3 omega_o, float2 u) {
+    float radius = sqrt(u.x), phi = 2.0f * M_PI_F * u.y;
+    BsdfSample s = {(float3)(radius * cos(phi), radius * sin(phi), sqrt(1.0f - u.x)), (float3)(0.0f), CHAIN_TAKEN};
+    float beyond = bsdf_base_factor(&c->at.bsdf, omega_o, s.omega_i) - 1.0f;
+    c->sign = beyond < 0.0f ? -1.0f : 1.0f;
+    s.weight = c->at.albedo * fabs(beyond);
+    return s;
+}
+
+/// The first direction of a chain of the film.
+static inline BsdfSample first_direction(Chain *c, float3 omega_o, float lobes) {
+    float3 u = convert_float3(c->first >> UNIT_SHIFT) * UNIT_STEP;
+    float uneven = base_is_uneven(c->at.bsdf.model) ? CHAIN_UNEVEN * largest(c->at.albedo) : 0.0f;
+    float chance = uneven > 0.0f ? uneven / (uneven + lobes) : 0.0f;
+    bool base = u.z < chance;
+    BsdfSample s;
+    if (base) {
+        s = sample_uneven(c, omega_o, u.xy);
+    } else {
+        u.z = (u.z - chance) / (1.0f - chance);
+        s = bsdf_sample(&c->at.bsdf, omega_o, u);
+    }
+    s.weight /= base ? chance : 1.0f - chance;
+    return s;
+}
+
 /// Decides whether the chain goes on from its vertex, and where to.
 static inline void step_chain(Chain *c, bool always, int steps, global const Material *materials) {
     float3 frame_t, frame_b, n = c->at.n, o = c->at.o;
@@ -79,12 +118,11 @@ static inline void step_chain(Chain *c, bool always, int steps, global const Mat
         end_chain(c);
         return;
     }
-    float3 u;
+    BsdfSample s;
     if (always)
-        u = convert_float3(c->first >> UNIT_SHIFT) * UNIT_STEP;
+        s = first_direction(c, omega_o, lobes);
     else
-        u = (float3)(chain_random(c), chain_random(c), chain_random(c));
-    BsdfSample s = bsdf_sample(&c->at.bsdf, omega_o, u);
+        s = bsdf_sample(&c->at.bsdf, omega_o, (float3)(chain_random(c), chain_random(c), chain_random(c)));
     frame_t = width > 1e-6f ? across / width : (float3)(0.0f);
     if (width > 1e-6f)
         frame_b = cross(n, frame_t);
@@ -147,6 +185,7 @@ kernel void follow_surfels(global const float *from, int from_capacity, global c
         c->open = begin + l < chain_count;
         c->pdf = shared ? 0.0f : -1.0f;  // what the film sees through clear things it sees; hemispheres have light samples for it
         c->on_film = false;
+        c->sign = 1.0f;
         c->bits = hash_uint(seed + hash_uint((uint)(begin + l)));
         if (!c->open) continue;
         if (shared) {
@@ -200,6 +239,7 @@ kernel void follow_surfels(global const float *from, int from_capacity, global c
         float3 f = chains[l].t.factor;
         v.albedo =
             (float3)(f.x > 0.0f ? v.albedo.x / f.x : 0.0f, f.y > 0.0f ? v.albedo.y / f.y : 0.0f, f.z > 0.0f ? v.albedo.z / f.z : 0.0f);
+        chains[l].t.factor *= chains[l].sign;
         store_vertex(surfels, capacity, first + begin + l, &v, chains[l].t);
     }
 }

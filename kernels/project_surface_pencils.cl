@@ -30,7 +30,7 @@ kernel void project_surface_pencils(global const float *surfels, int capacity, i
     float3 x = (float3)(s[SURFEL_X * c], s[SURFEL_Y * c], s[SURFEL_Z * c]),
            n = (float3)(s[SURFEL_NX * c], s[SURFEL_NY * c], s[SURFEL_NZ * c]);
     float3 albedo = (float3)(s[SURFEL_ALBEDO_R * c], s[SURFEL_ALBEDO_G * c], s[SURFEL_ALBEDO_B * c]);
-    if (!any(albedo > 0.0f)) return;
+    if (!any(albedo != 0.0f)) return;
     PencilLinks links;
     if (nearness > 0.0f) {
         links = reaching_pencils(pencils, grid, starts, entries, x, n);

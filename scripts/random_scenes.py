@@ -127,17 +127,17 @@ class Maker:
             body = place(f'<rotate x="1" angle="{rng.uniform(-80, 20):.4g}"/>', turn, f'<scale value="{size:.5g}"/>', f'<{up(at[0], at[1] + 1.1 * size, at[2])}/>')
         self.parts.append(f'<shape type="{kind}">{body}{self.material()}</shape>')
 
-    def lamp(self, at, target, power):
+    def lamp(self, at, target, power, unit):
         """A light at a place: a panel, a ball, a point, a spot or a luminaire."""
         rng, tint = self.rng, [rng_value for rng_value in self.colour(0.7, 1)]
-        kind, size = rng.choice(['panel', 'panel', 'screen', 'ball', 'point', 'spot', 'ies']), 10**rng.uniform(-1.3, -0.3)
+        kind, size = rng.choice(['panel', 'panel', 'screen', 'ball', 'point', 'spot', 'ies']), unit * 10**rng.uniform(-1.3, -0.4)
         look = place(f'<lookat origin="{at[0]:.5g}, {at[1]:.5g}, {at[2]:.5g}" target="{target[0]:.5g}, {target[1]:.5g}, {target[2]:.5g}" up="0.1, 0, 1"/>')
         if kind in ('panel', 'screen'):
             level = power / (4 * size**2)
             shine = rgb('radiance', [level * t for t in tint])
             if kind == 'screen':
                 shine = self.texture('radiance', rng.choice(['painting', 'wallpaper']))
-                size = (0.2 * power)**0.5
+                size = 0.4 * unit
             shape = rng.choice(['rectangle', 'disk'])
             body = look.replace('<lookat', f'<scale value="{size:.5g}"/><lookat')
             self.parts.append(f'<shape type="{shape}">{body}<emitter type="area">{shine}</emitter></shape>')
@@ -178,7 +178,7 @@ class Maker:
             self.parts.append(f'<shape type="rectangle">{body}{self.material(clear=False)}</shape>')
         return window
 
-    def sensor(self, eye, target):
+    def sensor(self, eye, target, unit):
         rng = self.rng
         kind = rng.choice(['perspective', 'perspective', 'perspective', 'thinlens', 'orthographic'])
         look = f'<lookat origin="{eye[0]:.5g}, {eye[1]:.5g}, {eye[2]:.5g}" target="{target[0]:.5g}, {target[1]:.5g}, {target[2]:.5g}" up="0, 1, 0"/>'
@@ -186,7 +186,7 @@ class Maker:
         if kind == 'thinlens':
             distance = sum((a - b)**2 for a, b in zip(eye, target))**0.5
             body += number('aperture_radius', 0.02 * distance) + number('focus_distance', distance)
-        scale = f'<scale x="{rng.uniform(0.5, 1.2):.4g}" y="{rng.uniform(0.5, 1.2):.4g}"/>' if kind == 'orthographic' else ''
+        scale = f'<scale value="{unit * rng.uniform(0.5, 1.2):.4g}"/>' if kind == 'orthographic' else ''
         return (f'<sensor type="{kind}">{body}{place(scale, look)}<film type="hdrfilm"><integer name="width" value="{SIZE[0]}"/>'
                 f'<integer name="height" value="{SIZE[1]}"/><rfilter type="{rng.choice(["box", "gaussian", "tent"])}"/></film></sensor>')
 
@@ -213,13 +213,13 @@ class Maker:
             lamps = rng.randint(0, 2)
             if not lamps or rng.random() < 0.6:
                 self.sky()
-        sensor = self.sensor(eye, target)
+        sensor = self.sensor(eye, target, unit)
         for at in spots:
             self.thing(at, unit * 10**rng.uniform(-1, -0.3))
         for _ in range(lamps):
             at = [rng.uniform(0.2, 0.8) * area[0], high, rng.uniform(0.2, 0.8) * area[2]]
             aim = [a + rng.uniform(-0.3, 0.3) * unit for a in (at[0], 0, at[2])]
-            self.lamp(at, aim, power / max(lamps, 1))
+            self.lamp(at, aim, power / max(lamps, 1), unit)
         return sensor
 
 

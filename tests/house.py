@@ -16,8 +16,8 @@ USES = {
     "scene/formats": ["scene/mitsuba", "scene/gltf", "scene/models"],
     "pencils": ["scene"], "device": ["cl", "pencils", "options"], "visibility": ["device"], "film": ["visibility"], "certify": ["film"],
     "line/placement": ["visibility"], "line": ["film", "line/placement"], "surface": ["certify"], "render": ["line", "surface"],
-    "reference": ["scene", "options"], "compare": ["image", "options"], "converge": ["render", "reference", "compare"],
-    "stress": ["render", "reference"], "app": ["converge", "stress", "scene/formats"],
+    "reference": ["scene", "options"], "compare": ["image", "options"], "converge": ["render", "reference", "compare"], "measure": ["render", "reference"],
+    "stress": ["render", "reference"], "app": ["converge", "measure", "stress", "scene/formats"],
 }
 
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "converge/methods.h"
+#include "measure/sensors.h"
 #include "options/layer.h"
 #include "options/reference_options.h"
 #include "options/render_options.h"
@@ -31,7 +32,23 @@ struct ReferenceCommand {
     std::vector<std::filesystem::path> outputs;
     std::vector<std::string> aovs = layer_groups();  // not variance: samples that give it are stratified less
     ReferenceOptions options;                        // all but the wanted layers
+    double lumens_per_watt = efficacy_of_scene;      // of photometric layers
     std::filesystem::path stats;                     // empty: none
+    bool quiet = false;
+};
+
+enum class MeasureMethod { surface, reference };
+
+struct MeasureCommand {
+    std::filesystem::path scene;
+    LoadOptions load;
+    std::filesystem::path points;  // empty: none
+    std::vector<SensorGrid> grids;
+    std::filesystem::path output;  // empty: the standard output
+    MeasureMethod method = MeasureMethod::surface;
+    RenderOptions options;
+    double seconds = 10;  // if it is not for a target
+    std::string device;
     bool quiet = false;
 };
 
@@ -75,6 +92,7 @@ struct DocumentCommand {
 
 ExitCode run_render(const RenderCommand& command);
 ExitCode run_reference(const ReferenceCommand& command);
+ExitCode run_measure(const MeasureCommand& command);
 ExitCode run_info(const InfoCommand& command);
 ExitCode run_compare(const CompareCommand& command);
 ExitCode run_converge(const ConvergeCommand& command);

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "image/write_image.h"
 #include "options/option_values.h"
 #include "options/render_option_table.h"
 
@@ -69,14 +70,16 @@ Rows scene_rows(std::filesystem::path& scene, LoadOptions& load) {
 }
 
 Option output_row(std::vector<std::filesystem::path>& outputs) {
-    Option row{"-o,--output",
-               "FILE",
-               "",
-               "",
-               "Image to write: .exr (all layers, linear float) or .png (exposure 1, sRGB); may be repeated",
-               "",
-               [&outputs](const std::string& text) { outputs.emplace_back(text); },
-               {}};
+    Option row{
+        "-o,--output",
+        "FILE",
+        "",
+        "",
+        "Image to write: .exr (all layers, linear float), .png (exposure 1, sRGB), .illuminance.png or .luminance.png (false colours); may "
+        "be repeated",
+        "",
+        [&outputs](const std::string& text) { outputs.emplace_back(text); },
+        {}};
     row.repeated = true;
     return required(row);
 }
@@ -94,6 +97,21 @@ Option device_row(std::string& device) {
 
 Option quiet_row(bool& quiet) { return switch_row("--quiet", quiet, "No progress, no summary; warnings and errors stay"); }
 
+Option grid_row(std::vector<SensorGrid>& grids) {
+    Option row{
+        "--grid",
+        "O;U;V;N;M",
+        "",
+        "",
+        "Sensors in the middles of N x M cells of a parallelogram: its origin and sides, as \"0,0,0.8;4,0,0;0,3,0;8;6\"; they look along "
+        "U x V; may be repeated",
+        "",
+        [&grids](const std::string& text) { grids.push_back(parse_grid(text)); },
+        {}};
+    row.repeated = true;
+    return row;
+}
+
 /// Either a number of paths or a time; the other is not given.
 Rows budget_rows(ReferenceOptions& o) {
     Option paths = integer_option("--spp", o.spp, 1, most_paths, "Camera paths per pixel");
@@ -109,8 +127,17 @@ Rows budget_rows(ReferenceOptions& o) {
 
 std::vector<std::string> reference_layers() {
     std::vector<std::string> layers = layer_groups();
+    layers.insert(layers.end(), photometric_layers().begin(), photometric_layers().end());
     layers.emplace_back(variance_layer);
     return layers;
+}
+
+/// Layers that names of PNGs ask for.
+void add_named_layers(const std::vector<std::filesystem::path>& outputs, std::vector<std::string>& layers) {
+    for (const std::filesystem::path& output : outputs) {
+        const std::string name = output.has_extension() ? layer_of_name(output) : "";
+        if (!name.empty() && !has_group(layers, name)) layers.push_back(name);
+    }
 }
 
 }  // namespace
@@ -130,12 +157,32 @@ std::vector<Option> option_table(ReferenceCommand& command) {
     Rows rows = scene_rows(command.scene, command.load);
     rows.push_back(output_row(command.outputs));
     append(rows, budget_rows(o));
-    append(
-        rows,
-        {endless_option("--max-depth", o.max_depth, 1, most_depth, "Longest paths: 1 emission only, 2 with direct light; auto: no limit"),
-         resolution_option(o.width, o.height, "the scene's"),
-         list_option("--aov", command.aovs, reference_layers(), "all but variance", "Layers beside the beauty, separated by commas"),
-         seed_option(o.seed), path_row("--stats", "FILE", command.stats, "Write times and counts as JSON"), quiet_row(command.quiet)});
+    append(rows, {endless_option("--max-depth", o.max_depth, 1, most_depth,
+                                 "Longest paths: 1 emission only, 2 with direct light; auto: no limit"),
+                  resolution_option(o.width, o.height, "the scene's"),
+                  list_option("--aov", command.aovs, reference_layers(), "all but illuminance, luminance, variance",
+                              "Layers beside the beauty, separated by commas"),
+                  lumens_row(command.lumens_per_watt), seed_option(o.seed),
+                  path_row("--stats", "FILE", command.stats, "Write times and counts as JSON"), quiet_row(command.quiet)});
+    return rows;
+}
+
+std::vector<Option> option_table(MeasureCommand& command) {
+    RenderOptions& o = command.options;
+    Rows rows = scene_rows(command.scene, command.load);
+    Option time = real_option("--time", command.seconds, 0, false, longest_tracing, "Measures for so many seconds after loading");
+    time.value = "S";
+    Option target = real_option("--target-error", o.target_error, 0, false, 1,
+                                "Measures until the estimated mean square of the relative errors is at most this, instead of --time");
+    target.standard = "";
+    target.method = "surface";
+    append(rows,
+           {path_row("--points", "FILE", command.points, "Sensors, a line each: x,y,z,nx,ny,nz, or a grid of them"),
+            grid_row(command.grids), path_row("-o,--output", "FILE.csv", command.output, "Table to write, instead of the standard output"),
+            word_option("--method", command.method, {"surface", "reference"}, "Pencils on surfaces, or the path tracer"), time, target,
+            endless_option("--bounces", o.bounces, 0, most_depth,
+                           "Reflections at most, the last one that of a sensor: 1 direct light only; auto: until they add nothing"),
+            lumens_row(o.lumens_per_watt), seed_option(o.seed), device_row(command.device), quiet_row(command.quiet)});
     return rows;
 }
 
@@ -202,17 +249,30 @@ void settle(RenderCommand& command, const std::vector<Option>& table, const Give
         of_line = of_line || (row.method == line && given(row));
     }
     if (!named && of_line) command.options.method = MethodName::line;
+    add_named_layers(command.outputs, command.options.aovs);
     const std::string method = to_string(command.options.method);
     for (const Option& row : table)
         if (given(row) && !row.method.empty() && row.method != method)
             throw std::invalid_argument(row.flag + ": is not an option of --method " + method);
 }
 
-void settle(ReferenceCommand&, const std::vector<Option>& table, const Given& given) {
+void settle(ReferenceCommand& command, const std::vector<Option>& table, const Given& given) {
+    add_named_layers(command.outputs, command.aovs);
     const auto has = [&](const std::string& flag) {
         return std::any_of(table.begin(), table.end(), [&](const Option& row) { return row.flag == flag && given(row); });
     };
     if (has("--spp") && has("--time")) throw std::invalid_argument("--time excludes --spp");
+}
+
+void settle(MeasureCommand& command, const std::vector<Option>& table, const Given& given) {
+    const auto has = [&](const std::string& flag) {
+        return std::any_of(table.begin(), table.end(), [&](const Option& row) { return row.flag == flag && given(row); });
+    };
+    const bool target = has("--target-error");
+    if (target && has("--time")) throw std::invalid_argument("--time excludes --target-error");
+    if (target && command.method == MeasureMethod::reference)
+        throw std::invalid_argument("--target-error: is not an option of --method reference");
+    command.options.seconds = target ? 0 : command.seconds;
 }
 
 }  // namespace pencil

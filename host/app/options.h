@@ -11,6 +11,7 @@ namespace pencil {
 
 std::vector<Option> option_table(RenderCommand& command);
 std::vector<Option> option_table(ReferenceCommand& command);
+std::vector<Option> option_table(MeasureCommand& command);
 std::vector<Option> option_table(InfoCommand& command);
 std::vector<Option> option_table(CompareCommand& command);
 std::vector<Option> option_table(ConvergeCommand& command);
@@ -25,6 +26,7 @@ using Given = std::function<bool(const Option&)>;
 /// is refused beside another.
 void settle(RenderCommand& command, const std::vector<Option>& table, const Given& given);
 void settle(ReferenceCommand& command, const std::vector<Option>& table, const Given& given);
+void settle(MeasureCommand& command, const std::vector<Option>& table, const Given& given);
 template <typename Command>
 void settle(Command&, const std::vector<Option>&, const Given&) {}
 

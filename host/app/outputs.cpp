@@ -14,7 +14,6 @@
 #include "util/output_file.h"
 
 namespace pencil {
-namespace {
 
 namespace fs = std::filesystem;
 
@@ -25,8 +24,6 @@ bool same_file(const fs::path& a, const fs::path& b) {
     const fs::path canonical_b = fs::weakly_canonical(fs::absolute(b, error), error);
     return !error && canonical_a == canonical_b;
 }
-
-}  // namespace
 
 void check_outputs(const std::vector<fs::path>& images, const fs::path& stats, const fs::path& scene) {
     std::vector<fs::path> files = images;

@@ -7,6 +7,9 @@
 
 namespace pencil {
 
+/// True if both names mean one file, whether it exists or not.
+bool same_file(const std::filesystem::path& a, const std::filesystem::path& b);
+
 /// UsageError for an extension that cannot be written; OutputError for a folder that cannot be written to, a file named twice, or one that
 /// is the scene. `stats` may be empty.
 void check_outputs(const std::vector<std::filesystem::path>& images, const std::filesystem::path& stats,

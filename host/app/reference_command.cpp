@@ -8,6 +8,7 @@
 #include "app/message.h"
 #include "app/outputs.h"
 #include "app/reference_report.h"
+#include "image/colour.h"
 #include "scene/formats/load_scene.h"
 #include "scene/scene_fingerprint.h"
 #include "util/log.h"
@@ -49,6 +50,20 @@ ReferenceResult trace_with_progress(const Scene& scene, const ReferenceCommand& 
     });
 }
 
+/// Photometric layers; illuminance is a trace of its own.
+void add_photometric_layers(const ReferenceCommand& command, const Scene& scene, ReferenceOptions options, ReferenceResult& result) {
+    const double lumens = command.lumens_per_watt == efficacy_of_scene ? standard_efficacy(scene.photometric) : command.lumens_per_watt;
+    if (has_group(command.aovs, luminance_layer))
+        result.layers.push_back({luminance_layer, 1, scaled_luminance(result.layers.front().pixels, lumens)});
+    if (!has_group(command.aovs, illuminance_layer) || result.interrupted) return;
+    options.irradiance = true;
+    options.bounces = options.surfaces = options.variance = false;
+    constexpr double pi = 3.14159265358979323846;
+    const ReferenceResult irradiance = trace_with_progress(scene, command, options);
+    result.interrupted = irradiance.interrupted;
+    result.layers.push_back({illuminance_layer, 1, scaled_luminance(irradiance.layers.front().pixels, pi * lumens)});
+}
+
 /// The layers come in groups; those that nobody asked for are dropped here.
 bool is_wanted(const Layer& layer, const std::vector<std::string>& aovs) {
     return layer.name.empty() || has_group(aovs, is_bounce(layer.name) ? bounces_group : layer.name);
@@ -81,6 +96,7 @@ ExitCode run_reference(const ReferenceCommand& command) {
     check_film_memory(report.options.width, report.options.height, command.aovs);
 
     report.result = trace_with_progress(scene, command, report.options);
+    add_photometric_layers(command, scene, report.options, report.result);
     add_warnings(report, report.result.warnings);
     report.total_seconds = total.seconds();
     const Stopwatch writing;

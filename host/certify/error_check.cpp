@@ -16,6 +16,8 @@ namespace {
 /// Paths of each of the two estimates of a pixel at most, and pixels of one call at least: the more paths at a pixel the less noise, as long as
 /// there are pixels enough to know how the error varies.
 constexpr int most_paths = 128, least_pixels = 8;
+/// Of each pixel on average, from which on pixels are judged one by one.
+constexpr std::size_t many_looks = 3;
 
 /// Mean and its standard error.
 struct Mean {
@@ -105,19 +107,38 @@ double join_errors(double spread, const CertifiedError& certified) {
     return spread + (square > 0 ? more * square / (square + noise) : 0.0);
 }
 
+/// All that was looked at, by pixel.
+std::vector<PixelLooks> ErrorCheck::looks_at(const std::vector<Point>& points, const std::vector<float>& beauty) const {
+    std::vector<PixelLooks> looks(beauty.size() / 3);
+    for (const Point& p : points) {
+        glm::dvec3 x;
+        for (int c = 0; c < 3; ++c) x[c] = reflected(beauty, 3 * p.pixel + static_cast<std::size_t>(c));
+        looks[p.pixel].add(x - p.first);
+        looks[p.pixel].add(x - p.second);
+    }
+    return looks;
+}
+
+/// What a value of the beauty holds of reflected light.
+double ErrorCheck::reflected(const std::vector<float>& beauty, std::size_t i) const {
+    const auto shown = static_cast<double>(beauty[i]);
+    return weight_ > 0 ? shown - emission_[i] / weight_ : shown;
+}
+
 CertifiedError ErrorCheck::certify(const std::vector<float>& beauty) const {
     CertifiedError error;
     const double mean = std::accumulate(beauty.begin(), beauty.end(), 0.0) / static_cast<double>(beauty.size());
     const std::vector<Point>& points = points_.empty() ? half_done_ : points_;
     error.points = static_cast<int>(points.size());
     if (points.size() < 2 || !(mean > 0)) return error;
+    if (points.size() >= many_looks * beauty.size() / 3) return certify_pixels(looks_at(points, beauty), beauty, mean);
     std::vector<double> squares, steps;
     for (const Point& p : points) {
         double square = 0, step = 0;
         for (int c = 0; c < 3; ++c) {
             const std::size_t i = 3 * p.pixel + static_cast<std::size_t>(c);
-            const double shown = static_cast<double>(beauty[i]), x = weight_ > 0 ? shown - emission_[i] / weight_ : shown;
-            square += (x - p.first[c]) * (x - p.second[c]) / relative_to(shown, mean) / 3;
+            const double x = reflected(beauty, i);
+            square += (x - p.first[c]) * (x - p.second[c]) / relative_to(static_cast<double>(beauty[i]), mean) / 3;
             step += (x - 0.5 * (p.first[c] + p.second[c])) / (3 * mean);
         }
         squares.push_back(square);

@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "certify/known_pixels.h"
 #include "certify/trace_checks.h"
 #include "film/film.h"
 #include "film/render_context.h"
@@ -36,6 +37,8 @@ private:
         glm::dvec3 first, second;  // independent estimates of what it shows of reflected light
     };
 
+    std::vector<PixelLooks> looks_at(const std::vector<Point>& points, const std::vector<float>& beauty) const;
+    double reflected(const std::vector<float>& beauty, std::size_t i) const;
     std::vector<glm::dvec3> estimate(const Film& film, const std::vector<std::size_t>& pixels, int paths, std::uint64_t seed) const;
 
     RenderContext& context_;

@@ -11,16 +11,16 @@ Features scene_features(const FlatScene& scene, int film_samples, bool lobes) {
     Features features;
     features.smooth = !scene.normals.empty();
     features.film_samples = film_samples;
+    const bool textured = features.textures = !scene.textures.empty();
     for (const Material& material : scene.materials) {
         features.models.insert(material.model);
         features.blends = features.blends || material.model == MATERIAL_BLEND || material.back >= 0;
         features.clear = features.clear || (lobes && (material.flags & MATERIAL_CLEAR) != 0);
-        features.relief = features.relief || material.normal_texture >= 0;
-        features.glow = features.glow || material.emission_texture >= 0;
+        features.relief = features.relief || (textured && material.normal_texture >= 0);
+        features.glow = features.glow || (textured && material.emission_texture >= 0);
         const bool even = material.model == MATERIAL_DIFFUSE || material.model == MATERIAL_BLEND;
         features.lobes = features.lobes || (lobes && !even);
     }
-    features.textures = !scene.textures.empty();
     features.wide_camera = scene.is_wide_camera();
     features.sky = scene.sky.width > 0;
     features.far_light = features.sky || scene.far_light;

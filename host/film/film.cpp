@@ -64,6 +64,35 @@ Film::Film(Kernels& kernels, const DeviceScene& scene, const FilmCamera& camera,
     hits_ = Buffer<Hit>();
 }
 
+Film::Film(Kernels& kernels, const Camera& camera, Receivers receivers)
+    : camera_(camera),
+      viewers_(std::move(receivers.viewers)),
+      samples_(*std::max_element(receivers.counts.begin(), receivers.counts.end())),
+      surfels_(std::move(receivers.surfels)) {
+    const auto& device = kernels.device();
+    const auto samples = static_cast<std::size_t>(samples_);
+    table_ = {0, std::vector<float>(samples, 1.0F / static_cast<float>(samples_)), {1.0F}};
+    std::vector<int> first;
+    std::vector<unsigned char> slots;
+    int next = 0;
+    for (const int count : receivers.counts) {
+        first.push_back(next);
+        next += count;
+        for (std::size_t s = 0; s < samples; ++s) slots.push_back(static_cast<unsigned char>(s % static_cast<std::size_t>(count)));
+    }
+    weights_ = Buffer<float>(device, table_.weights, "filter weights");
+    totals_ = Buffer<float>(device, table_.totals, "filter totals");
+    slots_ = Buffer<unsigned char>(device, slots, "slots of sensors");
+    counts_ =
+        Buffer<unsigned char>(device, std::vector<unsigned char>(receivers.counts.begin(), receivers.counts.end()), "counts of sensors");
+    first_surfel_ = Buffer<int>(device, first, "first surfels");
+}
+
+void Film::receive() {
+    make_white(surfels_);
+    has_empty_ = false;
+}
+
 void Film::see(Kernels& kernels, const DeviceScene& scene, int first_row, int rows) {
     const auto look = kernels.features().wide_camera || film_is_traced(scene, camera_) ? trace_film : rasterize_film;
     look(kernels, scene, camera_, offsets_, samples_, first_row, rows, hits_, "film hits");

@@ -8,6 +8,7 @@
 #include "device/features.h"
 #include "device/surfels.h"
 #include "device/turn.h"
+#include "film/receivers.h"
 #include "pencils/film_filter.h"
 
 namespace pencil {
@@ -23,6 +24,12 @@ public:
     /// Rasterises the scene for the camera and makes the surfels (launchers of classify_film, film_surfels).
     Film(Kernels& kernels, const DeviceScene& scene, const FilmCamera& camera, const ReconstructionFilter& filter, const Turn& turn);
 
+    /// A row of pixels that show the receivers of a sensor each; `camera` has as many columns.
+    Film(Kernels& kernels, const Camera& camera, Receivers receivers);
+
+    /// All surfels become white receivers, before which nothing is seen.
+    void receive();
+
     const Surfels& surfels() const { return surfels_; }
     const Buffer<unsigned char>& counts() const { return counts_; }    // per pixel: surfels and FILM_HAS_EMPTY
     const Buffer<int>& first_surfel() const { return first_surfel_; }  // per pixel
@@ -30,7 +37,9 @@ public:
     const FilterTable& filter_table() const { return table_; }
     int width() const { return camera_.width; }
     int height() const { return camera_.height; }
-    glm::vec3 eye() const { return eye_; }  // where it is seen from, about [scene units]
+    /// A point that the surfel is seen from, about [scene units].
+    glm::vec3 viewer(int surfel) const { return viewers_.empty() ? eye_ : viewers_[static_cast<std::size_t>(surfel)]; }
+    bool is_row_of_sensors() const { return !viewers_.empty(); }
 
     /// Pixels (rgb, rows from the top) of three consecutive fields of values[field][surfels().capacity], and of `background` where
     /// samples show nothing; launcher of resolve_film.
@@ -59,9 +68,10 @@ private:
     int number_surfels(const std::shared_ptr<Device>& device);
 
     Camera camera_;
-    glm::vec3 eye_;
-    int samples_;
-    int strip_rows_;
+    glm::vec3 eye_{0.0F};
+    std::vector<glm::vec3> viewers_;  // of sensors
+    int samples_ = 1;
+    int strip_rows_ = 1;
     bool has_empty_ = false;
     Buffer<glm::vec2> offsets_;
     Buffer<Hit> hits_;  // of one strip, released after construction

@@ -42,7 +42,8 @@ glm::dvec3 mean_rgb(const std::vector<float>& pixels) {
 
 FilmLayers::FilmLayers(const std::vector<std::string>& aovs) : aovs_(aovs.begin(), aovs.end()) {
     for (const std::string& aov : aovs)
-        if (!has_group(layer_groups(), aov)) throw UsageError("unknown layer \"" + aov + "\"; known: " + join(layer_groups()));
+        if (!has_group(layer_groups(), aov) && !has_group(photometric_layers(), aov))
+            throw UsageError("unknown layer \"" + aov + "\"; known: " + join(layer_groups()));
 }
 
 void FilmLayers::add_surfaces(Kernels& kernels, const DeviceScene& scene, const FlatScene& flat, const Film& film) {

@@ -17,7 +17,7 @@ glm::dvec3 mean_rgb(const std::vector<float>& pixels);
 
 class FilmLayers {
 public:
-    /// `aovs`: some of layer_groups(); others are a UsageError.
+    /// `aovs`: some of layer_groups(), or photometric layers, which are made elsewhere; others are a UsageError.
     explicit FilmLayers(const std::vector<std::string>& aovs);
 
     /// Emission (always part of the beauty) and the wanted properties of the surfaces.

@@ -1,6 +1,7 @@
 #include "film/layer_mean.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -8,6 +9,11 @@
 #include "image/relative_error.h"
 
 namespace pencil {
+
+double student(int images) {
+    constexpr std::array<double, 3> factor{6.48, 2.20, 1.62};
+    return factor[static_cast<std::size_t>(std::clamp(images, 2, LayerMean::sequences)) - 2];
+}
 
 void LayerMean::Sum::add(const std::vector<float>& beauty, const std::vector<float>& first, double image_weight) {
     if (value.empty()) value.assign(first.size(), 0.0F);

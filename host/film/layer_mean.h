@@ -65,4 +65,8 @@ private:
     double last_square_ = 0;            // shared_square() of the last
 };
 
+/// How much wider the interval of a mean of `images` is, whose sequences tell its spread, than the one of known spread: Student's, 95 %. Few
+/// agree by chance too often.
+double student(int images);
+
 }  // namespace pencil

@@ -2,10 +2,19 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <vector>
 
 namespace pencil {
 
 /// Rec. 709 luminance of linear sRGB.
 inline double luminance(const glm::dvec3& rgb) { return 0.2126 * rgb.x + 0.7152 * rgb.y + 0.0722 * rgb.z; }
+
+/// `factor` times the luminance of each pixel of linear rgb.
+inline std::vector<float> scaled_luminance(const std::vector<float>& rgb, double factor) {
+    std::vector<float> values(rgb.size() / 3);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] = static_cast<float>(factor * luminance({rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]}));
+    return values;
+}
 
 }  // namespace pencil

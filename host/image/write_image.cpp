@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <string_view>
 
+#include "image/false_colour.h"
 #include "util/error.h"
 #include "util/output_file.h"
 
@@ -22,6 +23,12 @@ namespace {
 constexpr std::size_t stored_above = std::size_t{16} << 20;
 
 constexpr int rows_per_write = 64;  // a multiple of the 16 rows of a zip block; bounds the interleaved copy
+
+/// Of layers that PNGs show in false colours.
+const std::map<std::string, const char*>& photometric_units() {
+    static const std::map<std::string, const char*> units{{"illuminance", "lx"}, {"luminance", "cd/m2"}};
+    return units;
+}
 
 struct Attribute {
     OIIO::ImageSpec& spec;
@@ -92,11 +99,22 @@ std::string describe(const NonFinite& found, const std::filesystem::path& path, 
                        found.values, (zeroed ? " and written as 0" : ""), found.channel, found.x, found.y);
 }
 
+std::vector<std::string> write_false_colours(const std::filesystem::path& path, const LayeredImage& image, const std::string& name) {
+    const auto layer = std::find_if(image.layers.begin(), image.layers.end(), [&](const ImageLayer& l) { return l.name == name; });
+    if (layer == image.layers.end()) throw OutputError("cannot write " + path.string() + ": the image has no layer " + name);
+    const std::vector<float> values(layer->pixels, layer->pixels + std::size_t(image.width) * image.height);
+    const Picture picture = false_colours(values, image.width, image.height, photometric_units().at(name));
+    const std::vector<unsigned char> bytes = encode_png({picture.width, picture.height, {{"", 3, picture.rgb.data()}}});
+    write_file(path, bytes.data(), bytes.size());
+    const NonFinite found = find_non_finite({image.width, image.height, {*layer}});
+    return found.values == 0 ? std::vector<std::string>{} : std::vector<std::string>{describe(found, path, false)};
+}
+
 }  // namespace
 
 std::vector<std::string> channel_names(const ImageLayer& layer) {
     const bool vector = layer.name == "normal" || layer.name == "position";
-    const std::string_view letters = layer.channels == 1 ? "Z" : vector ? "XYZ" : "RGBA";
+    const std::string_view letters = photometric_units().count(layer.name) > 0 ? "Y" : layer.channels == 1 ? "Z" : vector ? "XYZ" : "RGBA";
     if (layer.channels < 1 || static_cast<std::size_t>(layer.channels) > letters.size())
         throw OutputError(fmt::format("layer \"{}\" has {} channels", layer.name, layer.channels));
     std::vector<std::string> names;
@@ -148,8 +166,14 @@ std::vector<unsigned char> encode_png(const LayeredImage& image) {
     return bytes;
 }
 
+std::string layer_of_name(const std::filesystem::path& path) {
+    const std::string word = path.stem().extension().string(), name = word.empty() ? word : word.substr(1);
+    return image_format(path) == ImageFormat::png && photometric_units().count(name) > 0 ? name : "";
+}
+
 std::vector<std::string> write_image(const std::filesystem::path& path, const LayeredImage& image, const Metadata& metadata) {
     const bool png = image_format(path) == ImageFormat::png;
+    if (const std::string name = layer_of_name(path); !name.empty()) return write_false_colours(path, image, name);
     const std::vector<unsigned char> bytes = png ? encode_png(image) : encode_exr(image, metadata);
     write_file(path, bytes.data(), bytes.size());
     const NonFinite found = png ? find_non_finite({image.width, image.height, {image.layers.front()}}) : find_non_finite(image);

@@ -42,8 +42,12 @@ enum class ImageFormat { exr, png };
 /// By the extension, in any case. UsageError for others.
 ImageFormat image_format(const std::filesystem::path& path);
 
+/// The photometric layer that a PNG is of, by the word before its extension: "illuminance" of "room.illuminance.png"; empty: the beauty.
+std::string layer_of_name(const std::filesystem::path& path);
+
 /// Writes an OpenEXR (.exr: all layers, linear float) or a PNG (.png: the beauty, exposure 1, clamped to [0, 1], sRGB curve, 8 bit;
-/// values that are no number become 0). Returns warnings. UsageError for another extension, OutputError if writing fails.
+/// values that are no number become 0; or the layer_of_name, in false colours). Returns warnings. UsageError for another extension, OutputError
+/// if writing fails or the image has no such layer.
 std::vector<std::string> write_image(const std::filesystem::path& path, const LayeredImage& image, const Metadata& metadata = {});
 
 /// The bytes of such a PNG.

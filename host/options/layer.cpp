@@ -25,6 +25,11 @@ const std::vector<std::string>& surface_groups() {
     return groups;
 }
 
+const std::vector<std::string>& photometric_layers() {
+    static const std::vector<std::string> layers{illuminance_layer, luminance_layer};
+    return layers;
+}
+
 std::string bounce_layer(int order) { return order == 1 ? direct_layer : fmt::format("bounce{}", order); }
 
 std::string tail_layer(int first_order) { return fmt::format("tail{}", first_order); }

@@ -22,10 +22,16 @@ constexpr const char* position_layer = "position";
 /// Not a layer, but all of them that bounce_layer names from order 2 on, indirect_layer, and the tail of the series.
 constexpr const char* bounces_group = "bounces";
 
+/// Illuminance of what a pixel shows [lx], and luminance of the pixel [cd m^-2], one channel each. Made only where they are named.
+constexpr const char* illuminance_layer = "illuminance";
+constexpr const char* luminance_layer = "luminance";
+
 /// What --aov chooses from, in the order of files: layers of light, then of surfaces.
 const std::vector<std::string>& layer_groups();
 const std::vector<std::string>& light_groups();
 const std::vector<std::string>& surface_groups();
+/// Beside those: illuminance and luminance.
+const std::vector<std::string>& photometric_layers();
 
 /// direct_layer for order 1, then "bounce2" and so on.
 std::string bounce_layer(int order);

@@ -13,11 +13,12 @@ struct ReferenceOptions {
     int max_depth = depth_of_scene;  // 1 is emission, 2 direct light, -1 no limit
     int width = 0, height = 0;       // 0: the scene's film size [pixels]
     std::uint64_t seed = 0;
-    int threads = 0;        // that trace; 0: all cores
-    bool bounces = false;   // layers "emission", "direct", "bounce2" ..., and the tail of the orders beyond
-    bool surfaces = false;  // layers "albedo", "depth", "position", "normal"
-    bool variance = false;  // layer "variance": of the mean in each pixel and channel, from independent sets of samples, which are
-                            // stratified less than one: the image is noisier
+    int threads = 0;          // that trace; 0: all cores
+    bool irradiance = false;  // irradiance / pi of what a pixel sees instead of its radiance
+    bool bounces = false;     // layers "emission", "direct", "bounce2" ..., and the tail of the orders beyond
+    bool surfaces = false;    // layers "albedo", "depth", "position", "normal"
+    bool variance = false;    // layer "variance": of the mean in each pixel and channel, from independent sets of samples, which are
+                              // stratified less than one: the image is noisier
 };
 
 }  // namespace pencil

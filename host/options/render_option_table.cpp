@@ -17,6 +17,7 @@ namespace {
 constexpr int many = 1 << 20;
 constexpr double long_time = 1e6;
 constexpr int most_bounces = 1000;
+constexpr double most_efficacy = 1e6;  // [lm/W]
 /// Octahedral maps: whole blocks of 8 x 8 texels.
 constexpr int map_step = 8, largest_map = 1024;
 
@@ -28,6 +29,12 @@ const std::vector<std::string> methods{"surface", "line"}, initials{"direct", "e
 Option only(MethodName method, Option option) {
     option.method = to_string(method);
     return option;
+}
+
+std::vector<std::string> all_layers() {
+    std::vector<std::string> layers = layer_groups();
+    layers.insert(layers.end(), photometric_layers().begin(), photometric_layers().end());
+    return layers;
 }
 
 Option target_row(double& target) {
@@ -82,6 +89,14 @@ Option time_row(double& seconds) {
 }
 
 }  // namespace
+
+Option lumens_row(double& lumens_per_watt) {
+    Option row = real_option("--lumens-per-watt", lumens_per_watt, 0, false, most_efficacy,
+                             "Lumens of a unit of power in the scene's lights: 1 where their numbers are photometric already");
+    row.standard =
+        fmt::format("{}, as in Radiance; with IES files or lights of glTF {}", standard_efficacy(false), standard_efficacy(true));
+    return row;
+}
 
 std::string to_string(MethodName method) { return methods[static_cast<std::size_t>(method)]; }
 
@@ -140,7 +155,8 @@ std::vector<Option> render_option_table(RenderOptions& o) {
         only(line, word_option("--iterate", o.iterate, iterations, "A new, smaller set for each bounce, or one set iterated")),
         resolution_option(o.width, o.height, "the scene's"),
         integer_option("--film-samples", o.film_samples, 1, 64, "Visibility samples of a pixel"),
-        list_option("--aov", o.aovs, layer_groups(), "all", "Layers beside the beauty, separated by commas"),
+        list_option("--aov", o.aovs, all_layers(), "all but illuminance, luminance", "Layers beside the beauty, separated by commas"),
+        lumens_row(o.lumens_per_watt),
         seed_option(o.seed),
     };
 }

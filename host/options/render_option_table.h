@@ -9,6 +9,9 @@ namespace pencil {
 /// One row per option, bound to the fields of `options`, which must outlive the rows.
 std::vector<Option> render_option_table(RenderOptions& options);
 
+/// --lumens-per-watt.
+Option lumens_row(double& lumens_per_watt);
+
 /// UsageError if a value is none that its row accepts: for options that no command line has read.
 void check_options(RenderOptions options);
 

@@ -15,10 +15,11 @@ enum class Placement { random, lds, near_surface, light_rays, camera_rays, profi
 enum class Weights { dpdf, voronoi, analytic, thesis };
 enum class Iterate { sets, fixed };
 
-constexpr double target_of_scene = 0;  // RenderOptions::target_error: standard_target
-constexpr int pencils_of_method = 0;   // RenderOptions::pencils: standard_pencils of the method
-constexpr int bounces_of_scene = -2;   // RenderOptions::bounces: the scene's max_depth
-constexpr int endless_bounces = -1;    // until the tolerance
+constexpr double target_of_scene = 0;    // RenderOptions::target_error: standard_target
+constexpr int pencils_of_method = 0;     // RenderOptions::pencils: standard_pencils of the method
+constexpr int bounces_of_scene = -2;     // RenderOptions::bounces: the scene's max_depth
+constexpr int endless_bounces = -1;      // until the tolerance
+constexpr double efficacy_of_scene = 0;  // RenderOptions::lumens_per_watt: standard_efficacy
 
 struct RenderOptions {
     MethodName method = MethodName::surface;
@@ -38,11 +39,16 @@ struct RenderOptions {
     std::uint64_t seed = 0;
     int film_samples = 16;                           // visibility samples per pixel, 1 to 64
     std::vector<std::string> aovs = layer_groups();  // layers besides the beauty
+    double lumens_per_watt = efficacy_of_scene;      // of photometric layers
+    bool irradiance = false;                         // the film shows irradiance / pi of what it sees instead of its radiance
 };
 
 /// As many as a first picture needs.
 /// Paths along lobes are noisier than diffuse light.
 constexpr double standard_target(bool lobes) { return lobes ? 4e-3 : 1e-3; }
+/// Lumens of a watt of radiance in the scene's rgb: what its lights were divided by if they were given in photometric units, else that of white
+/// light as Radiance has it.
+constexpr double standard_efficacy(bool photometric) { return photometric ? 683 : 179; }
 constexpr int standard_pencils(MethodName method) { return method == MethodName::line ? 128 : 800; }
 
 }  // namespace pencil

@@ -213,6 +213,7 @@ FlatScene flatten(const Scene& scene, const std::vector<LightForm>& forms, int w
     MaterialRows rows(scene, forms, flat.materials, flat.row_shapes, flat.texels, flat.normalisation.scale, unit);
     flatten_triangles(scene, rows, flat);
     count_mates(flat.triangles);
+    if (!scene.sensor_points.empty()) flat.planes.emplace_back(0.0F);  // that sensors are on, and no triangle
     flatten_camera(scene.sensor, width > 0 ? width : scene.sensor.width, height > 0 ? height : scene.sensor.height, flat);
     glm::dvec3 low(HUGE_VAL), high(-HUGE_VAL);
     for (const Triangle& t : flat.triangles)

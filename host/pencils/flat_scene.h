@@ -29,7 +29,7 @@ struct Normalisation {
 struct FlatScene {
     Normalisation normalisation;
     std::vector<Triangle> triangles;
-    std::vector<float4> planes;       // unit normal, distance: dot(normal, x) = w on the plane
+    std::vector<float4> planes;       // unit normal, distance: dot(normal, x) = w on the plane; of sensors, the last, 0
     std::vector<Material> materials;  // one per scene material in use on what does not emit; own ones for each shape that emits
     std::vector<int> row_shapes;      // the shape that a row is of, if it emits, else -1
     std::vector<float4> normals;      // three per triangle, empty if no shape has vertex normals

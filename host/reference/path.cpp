@@ -65,9 +65,9 @@ glm::vec3 PathIntegrator::transmittance(const Ray& ray, PathSums& sums) const {
     return share;
 }
 
-/// Radiance that the surface at `hit` scatters of one light sample.
-template <typename Surface>
-glm::vec3 PathIntegrator::direct_light(const RayHit& hit, const Surface& surface, const glm::dvec2& u, PathSums& sums) const {
+/// Radiance that the surface at `hit` scatters of one light sample. `Surface`: those of the scene.
+template <typename Surface, typename Vertex>
+glm::vec3 PathIntegrator::direct_light(const RayHit& hit, const Vertex& surface, const glm::dvec2& u, PathSums& sums) const {
     const EmitterSample light = emitters_.sample(u, hit.point);
     const glm::vec3 segment = light.far_away ? light.point : light.point - hit.point;
     const float square = light.far_away ? 1.0F : glm::dot(segment, segment), inverse = 1.0F / std::sqrt(square);
@@ -80,7 +80,7 @@ glm::vec3 PathIntegrator::direct_light(const RayHit& hit, const Surface& surface
         radiance *= light_cosine * power_heuristic(light.density * square, surface.pdf(omega_i) * light_cosine);
     }
     if (radiance == glm::vec3(0.0F)) return radiance;
-    const float side = Surface::plain || omega_i.z > 0.0F ? hit.offset : -hit.offset;
+    const float side = Vertex::plain || omega_i.z > 0.0F ? hit.offset : -hit.offset;
     const glm::vec3 from = off_surface(hit.point, hit.normal, side);
     if (light.far_away) return radiance * transmittance<Surface>({from, segment}, sums);
     const glm::vec3 to = off_surface(light.point, light.normal, light.offset);
@@ -88,15 +88,16 @@ glm::vec3 PathIntegrator::direct_light(const RayHit& hit, const Surface& surface
 }
 
 template <typename Surface>
-void PathIntegrator::trace_among(Ray ray, bool inside, float weight, Sampler& sampler, PathSums& sums, SurfaceSums* seen) const {
+void PathIntegrator::trace_among(const Start& start, float weight, Sampler& sampler, PathSums& sums, SurfaceSums* seen) const {
+    Ray ray = start.ray;
     RayHit hit;
     glm::vec3 throughput(1.0F);
-    float density = 0;      // per solid angle, with which the BSDF chose the ray; 0: light sampling had no part in it
-    float travelled = 0;    // since the last vertex, to the beginning of the ray
-    float compression = 1;  // of radiance in media that the path is in: no reason to end it
-    bool met = inside && scene_.intersect(ray, hit);
+    float density = start.density;  // per solid angle, with which the BSDF chose the ray; 0: light sampling had no part in it
+    float travelled = 0;            // since the last vertex, to the beginning of the ray
+    float compression = 1;          // of radiance in media that the path is in: no reason to end it
+    bool met = start.inside && scene_.intersect(ray, hit);
     sums.rays += 1;
-    for (int depth = 1, passed = 0;;) {
+    for (int depth = start.depth, passed = 0;;) {
         if (!met) {
             const EnvironmentLight* environment = emitters_.environment();
             if (environment == nullptr) return;
@@ -122,7 +123,7 @@ void PathIntegrator::trace_among(Ray ray, bool inside, float weight, Sampler& sa
         if (surface.absorbs() || (last && !surface.may_pass())) return;
         const glm::dvec2 light_u = sampler.next_2d(), bsdf_u = sampler.next_2d();
         if (!last && !emitters_.empty() && !surface.only_delta())
-            record(sums, depth, weight * throughput * direct_light(hit, surface, light_u, sums));
+            record(sums, depth, weight * throughput * direct_light<Surface>(hit, surface, light_u, sums));
 
         const BsdfSample chosen = surface.sample(bsdf_u, sampler);
         if (!(chosen.pdf > 0.0F)) return;
@@ -157,11 +158,36 @@ void PathIntegrator::trace_among(Ray ray, bool inside, float weight, Sampler& sa
     }
 }
 
+template <typename Surface>
+void PathIntegrator::receive(const RayHit& at, float weight, Sampler& sampler, PathSums& sums) const {
+    const glm::dvec2 light_u = sampler.next_2d(), direction_u = sampler.next_2d();
+    if (max_depth_ == 1) return;
+    const WhiteReceiver receiver(at);
+    if (!emitters_.empty()) record(sums, 1, weight * direct_light<Surface>(at, receiver, light_u, sums));
+    const glm::vec3 omega_i = cosine_direction(direction_u), direction = receiver.to_world(omega_i);
+    if (!receiver.faces(omega_i, direction)) return;
+    const Ray ray{off_surface(at.point, at.normal, at.offset), direction};
+    trace_among<Surface>({ray, true, 2, receiver.pdf(omega_i)}, weight, sampler, sums, nullptr);
+}
+
+void PathIntegrator::trace_receiver(const RayHit& at, float weight, Sampler& sampler, PathSums& sums) const {
+    if (scene_.surfaces().plain())
+        receive<DiffuseSurface>(at, weight, sampler, sums);
+    else
+        receive<ScatteringSurface>(at, weight, sampler, sums);
+}
+
+void PathIntegrator::trace_received(const Ray& camera_ray, bool inside, float weight, Sampler& sampler, PathSums& sums) const {
+    RayHit hit;
+    ++sums.rays;
+    if (inside && scene_.intersect(camera_ray, hit)) trace_receiver(hit, weight, sampler, sums);
+}
+
 void PathIntegrator::trace(const Ray& camera_ray, bool inside, float weight, Sampler& sampler, PathSums& sums, SurfaceSums* seen) const {
     if (scene_.surfaces().plain())
-        trace_among<DiffuseSurface>(camera_ray, inside, weight, sampler, sums, seen);
+        trace_among<DiffuseSurface>({camera_ray, inside}, weight, sampler, sums, seen);
     else
-        trace_among<ScatteringSurface>(camera_ray, inside, weight, sampler, sums, seen);
+        trace_among<ScatteringSurface>({camera_ray, inside}, weight, sampler, sums, seen);
 }
 
 }  // namespace pencil

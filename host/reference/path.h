@@ -34,11 +34,26 @@ public:
     /// the first surface that does not let the path through.
     void trace(const Ray& camera_ray, bool inside, float weight, Sampler& sampler, PathSums& sums, SurfaceSums* seen) const;
 
+    /// Adds `weight` times irradiance / pi at a point: what a white diffuse surface sends that is not there for anyone else. Of `at` its point,
+    /// normals and offset count.
+    void trace_receiver(const RayHit& at, float weight, Sampler& sampler, PathSums& sums) const;
+    /// The same of the first surface that a camera ray meets, if any.
+    void trace_received(const Ray& camera_ray, bool inside, float weight, Sampler& sampler, PathSums& sums) const;
+
 private:
+    /// How a path begins: at the camera, or at a receiver, whose ray has a density per solid angle.
+    struct Start {
+        Ray ray;
+        bool inside = true;
+        int depth = 1;
+        float density = 0;
+    };
     template <typename Surface>
-    void trace_among(Ray ray, bool inside, float weight, Sampler& sampler, PathSums& sums, SurfaceSums* seen) const;
+    void trace_among(const Start& start, float weight, Sampler& sampler, PathSums& sums, SurfaceSums* seen) const;
     template <typename Surface>
-    glm::vec3 direct_light(const RayHit& hit, const Surface& surface, const glm::dvec2& u, PathSums& sums) const;
+    void receive(const RayHit& at, float weight, Sampler& sampler, PathSums& sums) const;
+    template <typename Surface, typename Vertex>
+    glm::vec3 direct_light(const RayHit& hit, const Vertex& surface, const glm::dvec2& u, PathSums& sums) const;
     template <typename Surface>
     glm::vec3 transmittance(const Ray& ray, PathSums& sums) const;
 

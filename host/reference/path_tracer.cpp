@@ -12,6 +12,7 @@
 #include "reference/camera_rays.h"
 #include "reference/film_sums.h"
 #include "reference/sample_plan.h"
+#include "reference/sensor_receivers.h"
 #include "util/error.h"
 
 namespace pencil {
@@ -43,6 +44,10 @@ std::vector<Tile> make_tiles(int width, int height) {
 ReferenceOptions resolved(ReferenceOptions options, const Scene& scene) {
     const PerspectiveSensor& sensor = scene.sensor;
     const bool crop = sensor.crop_width > 0 && sensor.crop_height > 0;
+    if (!scene.sensor_points.empty()) {
+        options.width = static_cast<int>(scene.sensor_points.size());
+        options.height = 1;
+    }
     if (options.width <= 0) options.width = crop ? sensor.crop_width : sensor.width;
     if (options.height <= 0) options.height = crop ? sensor.crop_height : sensor.height;
     if (options.max_depth == depth_of_scene) options.max_depth = scene.max_depth;
@@ -78,6 +83,7 @@ public:
           scene_(begin_build(scene)),
           emitters_(scene, scene_),
           integrator_(scene_, emitters_, options_.max_depth),
+          sensors_(scene, scene_),
           camera_(scene.sensor, scene_, options_.width, options_.height),
           eye_(scene.sensor.to_world[3]),
           film_(options_.width, options_.height, options_),
@@ -140,8 +146,15 @@ private:
         const std::uint64_t seed = mix_bits(mix_bits(mix_bits(options_.seed) + static_cast<std::uint64_t>(pass.set)) ^ index(x, y));
         for (int s = 0; s < pass.samples; ++s) {
             Sampler sampler(seed, static_cast<std::uint32_t>(pass.first + s));
+            if (!sensors_.empty()) {
+                integrator_.trace_receiver(sensors_.at(index(x, y), sampler), 1.0F, sampler, paths);
+                continue;
+            }
             const CameraRays::Sample camera = camera_.sample(x, y, sampler);
-            integrator_.trace(camera.ray, camera.meets, camera.weight, sampler, paths, options_.surfaces ? &surfaces : nullptr);
+            if (options_.irradiance)
+                integrator_.trace_received(camera.ray, camera.meets, camera.weight, sampler, paths);
+            else
+                integrator_.trace(camera.ray, camera.meets, camera.weight, sampler, paths, options_.surfaces ? &surfaces : nullptr);
         }
     }
 
@@ -195,6 +208,7 @@ private:
     RayScene scene_;
     Emitters emitters_;
     PathIntegrator integrator_;
+    SensorReceivers sensors_;
     CameraRays camera_;
     glm::dvec3 eye_;
     FilmSums film_;

@@ -37,6 +37,25 @@ private:
     const RayHit& hit_;
 };
 
+/// White and diffuse, whatever stands there: its radiance is irradiance / pi.
+class WhiteReceiver {
+public:
+    static constexpr bool plain = true;
+    explicit WhiteReceiver(const RayHit& hit) : hit_(hit), frame_(hit.shading) {}
+
+    glm::vec3 to_local(const glm::vec3& v) const { return frame_.to_local(v); }
+    glm::vec3 to_world(const glm::vec3& v) const { return frame_.to_world(v); }
+    bool faces(const glm::vec3& omega_i, const glm::vec3& direction) const {
+        return omega_i.z > 0.0F && glm::dot(hit_.normal, direction) > 0.0F;
+    }
+    glm::vec3 evaluate(const glm::vec3& omega_i) const { return glm::vec3(inverse_pi * omega_i.z); }
+    float pdf(const glm::vec3& omega_i) const { return inverse_pi * omega_i.z; }
+
+private:
+    const RayHit& hit_;
+    ShadingFrame frame_;
+};
+
 /// Of any material. Blends are resolved at random.
 class ScatteringSurface {
 public:

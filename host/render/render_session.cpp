@@ -10,6 +10,7 @@
 #include "options/scale_light.h"
 #include "render/explain.h"
 #include "render/methods.h"
+#include "render/photometric_layers.h"
 #include "util/error.h"
 
 namespace pencil {
@@ -33,6 +34,8 @@ bool has_lobes(const Scene& scene) {
 
 RenderOptions checked(const RenderOptions& options, const Scene& scene, const Device& device) {
     RenderOptions complete = resolve(options, scene);
+    if ((complete.irradiance || !scene.sensor_points.empty()) && complete.method != MethodName::surface)
+        throw UsageError("irradiance is measured by the surface method alone; leave out --method line");
     check_options(complete);  // the kernels rely on these limits, whoever calls
     check_memory(complete, device);
     return complete;
@@ -46,6 +49,11 @@ RenderOptions resolve(const RenderOptions& options, const Scene& scene) {
     if (complete.pencils == pencils_of_method) complete.pencils = standard_pencils(complete.method);
     // max_depth counts the emitter as the first vertex of a path.
     if (complete.bounces == bounces_of_scene) complete.bounces = scene.max_depth < 0 ? endless_bounces : std::max(scene.max_depth - 1, 0);
+    if (complete.lumens_per_watt == efficacy_of_scene) complete.lumens_per_watt = standard_efficacy(scene.photometric);
+    if (!scene.sensor_points.empty()) {
+        complete.width = static_cast<int>(scene.sensor_points.size());
+        complete.height = complete.film_samples = 1;
+    }
     if (complete.width <= 0) {
         const PerspectiveSensor& sensor = scene.sensor;
         complete.width = sensor.crop_width > 0 ? sensor.crop_width : sensor.width;
@@ -112,10 +120,15 @@ RenderResult RenderSession::finish() {
 }
 
 RenderResult render(const Scene& scene, const RenderOptions& options, const std::shared_ptr<Device>& device, const Progress& progress) {
-    RenderSession session(scene, options, device, progress);
-    while (session.advance()) {
-    }
-    return session.finish();
+    const auto solve = [&](const RenderOptions& asked) {
+        RenderSession session(scene, asked, device, progress);
+        while (session.advance()) {
+        }
+        return session.finish();
+    };
+    RenderResult result = solve(options);
+    add_photometric_layers(options, resolve(options, scene).lumens_per_watt, solve, result);
+    return result;
 }
 
 }  // namespace pencil

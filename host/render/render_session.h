@@ -47,7 +47,7 @@ private:
     bool ended_ = false;
 };
 
-/// All steps of a session.
+/// All steps of a session, and photometric layers if they are asked for: illuminance is a session of its own.
 RenderResult render(const Scene& scene, const RenderOptions& options, const std::shared_ptr<Device>& device, const Progress& progress = {});
 
 }  // namespace pencil

@@ -151,6 +151,19 @@ struct PerspectiveSensor {
     int crop_x = 0, crop_y = 0, crop_width = 0, crop_height = 0;
 };
 
+/// Where irradiance is measured, at a point or as the mean over a shape. What lies there is lit, but shows nothing and hides nothing.
+struct SensorPoint {
+    glm::dvec3 position{0.0};
+    glm::dvec3 normal{0.0, 0.0, 1.0};  // unit
+    std::int64_t shape = -1;           // >= 0: instead of these the front of a shape, all of it alike
+};
+
+/// Mitsuba's irradiancemeter: the mean irradiance of a shape's front.
+struct IrradianceMeter {
+    std::string id;
+    std::uint32_t shape = 0;  // index into Scene::shapes
+};
+
 struct Scene {
     std::string file;
     std::vector<glm::dvec3> positions;
@@ -166,7 +179,10 @@ struct Scene {
     std::vector<DirectionalLight> directional_lights;
     std::optional<Environment> environment;
     PerspectiveSensor sensor;
-    int max_depth = -1;  // 1: emission only, 2: plus direct light, -1: no limit
+    std::vector<SensorPoint> sensor_points;  // the film, a pixel each in a row, instead of what `sensor` sees
+    std::vector<IrradianceMeter> meters;
+    bool photometric = false;  // some light was given in lumens, candela or lux: 683 of them are a watt
+    int max_depth = -1;        // 1: emission only, 2: plus direct light, -1: no limit
     std::vector<std::string> warnings;
 };
 

@@ -19,6 +19,8 @@ constexpr int single_map = 4;
 constexpr double most_new = 0.2;
 /// Pencils fade out at so many times the error up to which one covers a surfel: no edge shows where a surfel leaves the reach of one.
 constexpr float fade_errors = 2;
+/// Of sensors.
+constexpr int least_seeds = 256, most_seeds = 1024;
 
 }  // namespace
 
@@ -34,11 +36,23 @@ SurfacePencils seed_pencils(Kernels& kernels, const FilmPixels& pixels, int spac
         const int cell = y / spacing * columns + x / spacing;
         if (seeded[static_cast<std::size_t>(cell)] || !pixels.shows(pixel)) continue;
         seeded[static_cast<std::size_t>(cell)] = true;
-        chosen.add(pixels.first_surfel[pixel], static_cast<uint>(pixel), film.eye());
+        chosen.add(pixels.first_surfel[pixel], static_cast<uint>(pixel), film.viewer(pixels.first_surfel[pixel]));
     }
     SurfacePencils seeds(kernels.device(), 1, map);
     place_surface_pencils(kernels, film.surfels(), chosen, seeds);
     return seeds;
+}
+
+SurfacePencils seed_sensors(Kernels& kernels, const Film& film, int map) {
+    ChosenSurfels chosen;
+    const int sensors = film.surfels().count, seeds = std::clamp(sensors, least_seeds, most_seeds);
+    for (int k = 0; k < seeds; ++k) {
+        const auto sensor = static_cast<int>(static_cast<std::int64_t>(k) * sensors / seeds);
+        chosen.add(sensor, static_cast<uint>(k), film.viewer(sensor));
+    }
+    SurfacePencils pencils(kernels.device(), 1, map);
+    place_surface_pencils(kernels, film.surfels(), chosen, pencils);
+    return pencils;
 }
 
 FilmPencils::FilmPencils(Kernels& kernels, const FilmPixels& film_pixels, const FilmLattice& lattice)
@@ -49,11 +63,15 @@ FilmPencils::FilmPencils(Kernels& kernels, const FilmPixels& film_pixels, const 
       at_(film_pixels.counts.size(), -1),
       pencil_at_(kernels.device(), at_, "film pencils by pixel"),
       pencils_(kernels.device(), 1, lattice.map),
-      singles_(kernels.device(), 1, single_map),
+      singles_(kernels.device(), 1, lattice.coarsest > 0 ? single_map : lattice.map),
       single_at_(kernels.device(), std::vector<int>(static_cast<std::size_t>(film_.surfels().capacity), -1),
                  "single film pencils by surfel") {
+    if (has_lattice()) place_coarsest();
+}
+
+void FilmPencils::place_coarsest() {
     std::vector<int> pixels;
-    const int width = film_.width(), height = film_.height(), step = lattice.coarsest;
+    const int width = film_.width(), height = film_.height(), step = lattice_.coarsest;
     for (int y = 0;; y = std::min(y + step, height - 1)) {
         for (int x = 0;; x = std::min(x + step, width - 1)) {
             pixels.push_back(y * width + x);
@@ -72,7 +90,7 @@ void FilmPencils::place(const std::vector<int>& pixels, int spacing) {
         const auto p = static_cast<std::size_t>(pixel);
         if (at_[p] >= 0 || !pixels_.shows(p)) continue;
         at_[p] = next++;
-        chosen.add(pixels_.first_surfel[p], static_cast<uint>(pixel), film_.eye());
+        chosen.add(pixels_.first_surfel[p], static_cast<uint>(pixel), film_.viewer(pixels_.first_surfel[p]));
     }
     place_surface_pencils(kernels_, film_.surfels(), chosen, pencils_, spacing);
     pencil_at_.write(at_);
@@ -110,6 +128,13 @@ std::vector<int> FilmPencils::finer_pixels(const std::vector<unsigned char>& unc
 }
 
 void FilmPencils::refine(SurfaceSolver& solver, const TexelPoints& points) {
+    if (has_lattice()) refine_lattice(solver, points);
+    if (solver.stopped()) return;
+    place_singles(has_lattice() ? uncovered(finest_) : std::vector<unsigned char>(static_cast<std::size_t>(film_.surfels().count), 1));
+    solver.gather(singles_, 0, singles_.count, points);
+}
+
+void FilmPencils::refine_lattice(SurfaceSolver& solver, const TexelPoints& points) {
     const auto gather = [&](int spacing) {
         solver.gather(pencils_, gathered_, pencils_.count - gathered_, points);
         limit_reuse(kernels_, pencils_, pencil_at_, spacing, gathered_, film_.width(), film_.height());
@@ -125,9 +150,6 @@ void FilmPencils::refine(SurfaceSolver& solver, const TexelPoints& points) {
         place(pixels, spacing / 2);
         gather(spacing / 2);
     }
-    if (solver.stopped()) return;
-    place_singles(uncovered(finest_));
-    solver.gather(singles_, 0, singles_.count, points);
 }
 
 /// A pencil for each uncovered surfel: at silhouettes, in creases and on small things.
@@ -139,15 +161,16 @@ void FilmPencils::place_singles(const std::vector<unsigned char>& uncovered) {
             const int i = pixels_.first_surfel[pixel] + k;
             if (!uncovered[static_cast<std::size_t>(i)]) continue;
             at[static_cast<std::size_t>(i)] = static_cast<int>(chosen.surfels.size());
-            chosen.add(i, static_cast<uint>(pixel + static_cast<std::size_t>(k + 1) * at_.size()), film_.eye());
+            chosen.add(i, static_cast<uint>(pixel + static_cast<std::size_t>(k + 1) * at_.size()), film_.viewer(i));
         }
     place_surface_pencils(kernels_, film_.surfels(), chosen, singles_);
     single_at_.write(at);
 }
 
 void FilmPencils::project(Buffer<float>& outgoing) {
-    Buffer<float4> fits(kernels_.device(), 3 * static_cast<std::size_t>(pencils_.count), "irradiance of film pencils");
-    smooth_irradiance(kernels_, lattice(finest_), lattice_.smooth, film_.width(), film_.height(), fits);
+    Buffer<float4> fits(kernels_.device(), 3 * std::max<std::size_t>(static_cast<std::size_t>(pencils_.count), 1),
+                        "irradiance of film pencils");
+    if (has_lattice()) smooth_irradiance(kernels_, lattice(finest_), lattice_.smooth, film_.width(), film_.height(), fits);
     project_film_pencils(kernels_, film_surfels(), lattice(finest_), fits, fade_errors * lattice_.most_error, {singles_, single_at_},
                          outgoing);
 }

@@ -22,7 +22,7 @@ struct FilmPixels {
 };
 
 struct FilmLattice {
-    int coarsest;      // spacing [pixels]
+    int coarsest;      // spacing [pixels]; 0: no lattice, every surfel has a pencil of its own
     float most_error;  // reuse_error
     int map;           // width of the maps
     float smooth;      // reuse_error at which neighbours are not smoothed over
@@ -30,6 +30,8 @@ struct FilmLattice {
 
 /// A pencil for each cell of spacing x spacing pixels that shows something, on the first of its surfels, with maps of map x map texels.
 SurfacePencils seed_pencils(Kernels& kernels, const FilmPixels& pixels, int spacing, int map);
+/// The same on sensors, several on each where these are few.
+SurfacePencils seed_sensors(Kernels& kernels, const Film& film, int map);
 
 class FilmPencils {
 public:
@@ -45,6 +47,9 @@ public:
     void project(Buffer<float>& outgoing);
 
 private:
+    bool has_lattice() const { return lattice_.coarsest > 0; }
+    void place_coarsest();
+    void refine_lattice(SurfaceSolver& solver, const TexelPoints& points);
     void place(const std::vector<int>& pixels, int spacing);
     FilmSurfels film_surfels() const { return {film_.surfels(), film_.counts(), film_.first_surfel(), film_.width(), film_.height()}; }
     PencilLattice lattice(int finest) const { return {pencils_, pencil_at_, lattice_.coarsest, finest}; }

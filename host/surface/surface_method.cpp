@@ -3,13 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstring>
 
 #include "pencils/low_discrepancy.h"
-#include "surface/add_reflections.h"
-#include "surface/light_lobes.h"
+#include "surface/film_lobes.h"
 #include "surface/sample_lights.h"
 #include "util/error.h"
 
@@ -19,20 +16,6 @@ namespace {
 
 /// Spacing of the pencils whose texels show where light is reflected, in terms of the coarsest of the first pass.
 constexpr int seed_spacing = 8;
-/// Width of the maps of film pencils, and of those.
-constexpr int film_map = 8;
-/// Light samples that a packet of texels draws.
-constexpr int light_draws = 2;
-
-/// Spacing of the coarsest film pencils [pixels], a power of two: about so many across the film whatever its resolution.
-int coarsest_spacing(const Camera& film) {
-    int spacing = 2;
-    while (spacing < 16 && std::min(film.width, film.height) >= 256 * spacing) spacing *= 2;
-    return spacing;
-}
-
-/// Texels draw from at most so many light samples.
-constexpr int most_texel_samples = 1 << 16;
 /// Rays of the world set for each one of the film pencils.
 constexpr double world_share = 0.15;
 /// Width of the maps of the world set, and of the first ones, before the film's rays are known.
@@ -41,32 +24,11 @@ constexpr int least_world_map = 4, most_world_map = 32, first_world_map = 12;
 constexpr double rays_per_check = 32;
 /// So long that a path of a check costs as assumed there [reflections], and so long that most of them are cut (trace_checks.cl).
 constexpr double usual_check = 50, longest_check = 200;
-/// Time of the first world set, in terms of the time of the first pass without it.
-constexpr double world_work = 0.3;
-
-/// Generation g has 2^(g + 1) passes.
-int generation_of(int index) {
-    int generation = 0;
-    while (index >= (4 << generation) - 2) ++generation;
-    return generation;
-}
-
-/// Each generation has two world sets, for half of its passes each: where pencils lie is an error that only passes of different sets show.
-int world_set_of(int index) {
-    const int generation = generation_of(index), within = index - ((2 << generation) - 2);
-    return 2 * generation + (within >> generation);
-}
-
+/// The same of sensors: they are measured, so much of the time goes into knowing how well.
+constexpr double sensor_rays_per_check = 4;
 /// How many times the square spread of so many passes counts: they share a blur that it does not show, the more of it the fewer they are,
 /// since the first are the coarsest, and the spread of few is itself hardly known (docs/accuracy.md).
 double caution(int passes) { return 1 + 8.0 / (static_cast<double>(passes) * passes); }
-
-/// How much wider the interval of a mean is that n sequences tell the spread of, in terms of the one of known spread: Student's, 95 %. Few agree
-/// by chance too often.
-double student(int n) {
-    constexpr std::array<double, 3> factor{6.48, 2.20, 1.62};
-    return factor[static_cast<std::size_t>(std::clamp(n, 2, LayerMean::sequences)) - 2];
-}
 
 /// Two passes agree by chance too often.
 constexpr int least_passes = 3;
@@ -91,36 +53,6 @@ constexpr int most_film_samples = 256, film_draws = 64;
 /// How many light samples there are to each one that lights a surfel.
 double fewer_lights(int samples) { return samples > most_film_samples ? static_cast<double>(samples) / film_draws : 1; }
 
-/// Chains along the lobes of a surfel of the film in a pass: as many as make this share of the rays of film pencils, from 4 to 64.
-constexpr double chain_share = 0.25;
-
-int chains_per_surfel(double film_rays, std::size_t surfels) {
-    return static_cast<int>(std::lround(std::clamp(chain_share * film_rays / static_cast<double>(surfels), 4.0, 64.0)));
-}
-
-/// Surfels whose material scatters along lobes.
-std::vector<int> surfels_with_lobes(const Surfels& surfels, const std::vector<Material>& materials) {
-    static_assert(sizeof(int) == sizeof(float), "rows are stored as the bits of floats");
-    const std::vector<float> bits = surfels.data.read(
-        static_cast<std::size_t>(SURFEL_MATERIAL) * static_cast<std::size_t>(surfels.capacity), static_cast<std::size_t>(surfels.count));
-    std::vector<int> found;
-    for (std::size_t i = 0; i < bits.size(); ++i) {
-        int row = 0;
-        std::memcpy(&row, &bits[i], sizeof row);
-        if (row == PENCIL_NO_MATERIAL) continue;
-        const int model = materials[static_cast<std::size_t>(row < 0 ? ~row : row)].model;
-        if (model != MATERIAL_DIFFUSE) found.push_back(static_cast<int>(i));
-    }
-    return found;
-}
-
-std::vector<int> repeated(const std::vector<int>& values, int times) {
-    std::vector<int> all;
-    all.reserve(values.size() * static_cast<std::size_t>(times));
-    for (const int value : values) all.insert(all.end(), static_cast<std::size_t>(times), value);
-    return all;
-}
-
 /// `fewer`: of so many samples one is drawn.
 LobeLights lobe_lights(const RenderContext& context, const std::vector<LightSample>& samples, double fewer) {
     const auto is_sky = [](const LightSample& s) { return s.position.w == LIGHT_INFINITE && s.normal.w > 0; };
@@ -139,27 +71,6 @@ std::vector<std::string> light_layers(const std::vector<std::string>& aovs) {
 
 }  // namespace
 
-SurfacePass surface_pass(int index, const RenderOptions& options, const Camera& film, int emitters) {
-    const int generation = generation_of(index);
-    const auto grown = [&](double exponent) { return std::exp2(exponent * generation); };
-    SurfacePass pass{};
-    pass.generation = generation;
-    pass.world_set = world_set_of(index);
-    pass.weight = grown(0.8);
-    pass.light_samples =
-        std::max(static_cast<int>(std::lround(0.5 * options.light_samples * std::clamp(0.5 * emitters, 1.0, 4.0) * grown(0.25))), 1);
-    pass.texel_light_samples = std::min(16 * std::min(pass.light_samples, most_texel_samples), most_texel_samples);
-    pass.world.pencils = static_cast<int>(std::lround(std::min(options.pencils * std::min(grown(0.5), 16.0), 1048576.0)));
-    pass.world.light_draws = light_draws;
-    pass.lattice.coarsest = coarsest_spacing(film);
-    pass.lattice.most_error = static_cast<float>(0.3 * grown(-0.55));
-    pass.lattice.smooth = static_cast<float>(0.3 * grown(-0.35));
-    pass.lattice.map = film_map;
-    pass.work = grown(0.5);
-    if (index == 0 || world_set_of(index - 1) < pass.world_set) pass.work += world_work * pass.world.pencils / options.pencils;
-    return pass;
-}
-
 MethodNeeds surface_needs(const Scene&, const std::vector<LightForm>&, const RenderOptions&) {
     MethodNeeds needs;
     needs.hierarchy = needs.rays_for_visibility = needs.lobes = true;
@@ -169,6 +80,12 @@ MethodNeeds surface_needs(const Scene&, const std::vector<LightForm>&, const Ren
 SurfaceMethod::SurfaceMethod(RenderContext& context) : context_(context), begun_(context.clock.seconds()), check_(context) {
     for (std::size_t i = 0; i < context.forms.size(); ++i)
         emitters_ += context.scene.shapes[i].emits && context.forms[i] == LightForm::samples ? 1 : 0;
+}
+
+SurfacePass SurfaceMethod::pass(int index) const {
+    SurfacePass pass = surface_pass(index, context_.options, context_.flat.camera, emitters_);
+    if (!context_.scene.sensor_points.empty()) suit_sensors(pass, count_receivers(context_.scene));
+    return pass;
 }
 
 bool SurfaceMethod::advance() {
@@ -226,7 +143,7 @@ void SurfaceMethod::place_world(const SurfacePass& pass, const FilmPixels& pixel
                          near(of_film),
                          near(samples),
                          lobe_lights(context_, of_film, fewer_lights(static_cast<int>(of_film.size()))),
-                         lobe_lights(context_, samples, static_cast<double>(samples.size()) / light_draws),
+                         lobe_lights(context_, samples, static_cast<double>(samples.size()) / pass.world.light_draws),
                          lobe_lights(context_, samples, static_cast<double>(samples.size()) / chain_draws)};
     // As many more pencils lie so much closer.
     const float guess =
@@ -235,11 +152,16 @@ void SurfaceMethod::place_world(const SurfacePass& pass, const FilmPixels& pixel
     solver_ = nullptr;  // its memory first
     solver_ = std::make_unique<SurfaceSolver>(context_.kernels, context_.device_scene, std::move(lights), pass.world, context_.clock,
                                               static_cast<uint>(seed >> 32));
-    const int spacing = seed_spacing * coarsest_spacing(context_.flat.camera);
-    if (context_.wanted(2)) solver_->place(seed_pencils(context_.kernels, pixels, spacing, film_map), guess);
+    if (context_.wanted(2)) solver_->place(seeds(pixels), guess);
     world_wish_ = pass.world.pencils;
     context_.stats.world_pencils += static_cast<std::uint64_t>(solver_->world().count);
     world_set_ = pass.world_set;
+}
+
+/// Pencils whose texels show where light is reflected.
+SurfacePencils SurfaceMethod::seeds(const FilmPixels& pixels) const {
+    if (pixels.film.is_row_of_sensors()) return seed_sensors(context_.kernels, pixels.film, film_map);
+    return seed_pencils(context_.kernels, pixels, seed_spacing * coarsest_spacing(context_.flat.camera), film_map);
 }
 
 /// Width of the maps of the world set, a multiple of 4: as the last pass of the film says, so that the world's noise does not outweigh the film's.
@@ -263,17 +185,19 @@ void SurfaceMethod::add_bounces(const SurfacePass& pass, const Turn& turn) {
     context_.stats.film_pencils += static_cast<std::uint64_t>(film.count());
     context_.clock.run("project film", [&] { film.project(frame_->outgoing()); });
     film_rays_ = static_cast<double>(film.count()) * pass.lattice.map * pass.lattice.map;
-    if (context_.kernels.features().lobes) context_.clock.run("reflections", [&] { add_lobes(film_rays_); });
+    if (context_.kernels.features().lobes)
+        context_.clock.run("reflections",
+                           [&] { add_film_lobes(context_, *frame_, *solver_, film_rays_, fewer_lights(frame_->lights().maps.count) > 1); });
     frame_->finish_bounce(FilmLayers::indirect, film.count(), 0);
-    if (const int paths = check_paths(); paths > 0)
+    if (const int paths = check_paths(pixels.film.is_row_of_sensors() ? sensor_rays_per_check : rays_per_check); paths > 0)
         context_.clock.run("check error", [&] { check_.add(frame_->film(), paths, hash64(turn.seed + 1) + turn.index); });
 }
 
-/// Paths of a check, fewer where each is long; 0 where so many reflections matter that paths cannot follow them.
-int SurfaceMethod::check_paths() const {
+/// Paths of a check, one for so many rays, fewer where each is long; 0 where so many reflections matter that paths cannot follow them.
+int SurfaceMethod::check_paths(double rays_per_path) const {
     const double length = context_.options.bounces < 0 ? 1 / std::max(1 - solver_->bounces().spectral_radius, 1e-9) : 1;
     if (length > longest_check) return 0;
-    return static_cast<int>(film_rays_ / (rays_per_check * std::max(length / usual_check, 1.0)));
+    return static_cast<int>(film_rays_ / (rays_per_path * std::max(length / usual_check, 1.0)));
 }
 
 /// What the world's bounces say of the image.
@@ -292,22 +216,6 @@ void SurfaceMethod::report_bounces() {
             : fmt::format("light has no way out and no surface keeps it (albedo 1 in a closed scene): reflections have no sum, the image "
                           "shows the first {} of them; lower the albedos or say --bounces K",
                           stats.bounce_solve.steps + 2));
-}
-
-/// What the film shows along the lobes of its surfaces: light samples on them, and chains that follow them.
-void SurfaceMethod::add_lobes(double film_rays) {
-    const Surfels& surfels = frame_->film().surfels();
-    const std::vector<int> with_lobes = surfels_with_lobes(surfels, context_.flat.materials);
-    if (with_lobes.empty()) return;
-    const auto& device = context_.kernels.device();
-    if (const int count = frame_->lights().maps.count; count > 0 && fewer_lights(count) == 1)
-        light_lobes(context_.kernels, context_.device_scene, surfels, Buffer<int>(device, with_lobes, "surfels with lobes"),
-                    frame_->lights(), frame_->outgoing());
-    const int shared = chains_per_surfel(film_rays, with_lobes.size());
-    const Buffer<int> starts(device, repeated(with_lobes, shared), "starts of chains");
-    Surfels chains(context_.kernels, static_cast<int>(starts.size()), "ends of chains");
-    const Buffer<float> radiance = solver_->follow(surfels, starts, shared, chains);
-    add_reflections(context_.kernels, radiance, chains, starts, shared, surfels.capacity, frame_->outgoing());
 }
 
 double SurfaceMethod::estimated_error() const {
@@ -378,7 +286,7 @@ std::vector<std::string> SurfaceMethod::explain() const {
             solve.krylov > 0 ? fmt::format("the rest by GMRES in {} applications", solve.krylov)
                              : std::string("the rest is a geometric series"),
             solve.spectral_radius, context_.stats.residual));
-    if (solver_ && film_rays_ > 0 && check_paths() == 0)
+    if (solver_ && film_rays_ > 0 && check_paths(rays_per_check) == 0)
         lines.push_back("left out: check by light paths (too many reflections matter); the error is that of the spread of passes alone");
     return lines;
 }

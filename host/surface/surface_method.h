@@ -9,26 +9,10 @@
 #include "film/layer_mean.h"
 #include "film/method.h"
 #include "surface/film_pencils.h"
+#include "surface/surface_pass.h"
 #include "surface/surface_solver.h"
 
 namespace pencil {
-
-/// What one pass spends where.
-struct SurfacePass {
-    int generation;
-    int world_set;            // its number: passes that share it come one after the other
-    int light_samples;        // of the film
-    int texel_light_samples;  // that texels of surface pencils draw from
-    WorldQuality world;
-    FilmLattice lattice;
-    double weight;  // its share of the mean, in proportion to the first pass
-    double work;    // about how long it takes, in proportion to the first pass
-};
-
-/// Pass `index`: each generation has twice the passes of the last, with smaller reuse errors, more pencils and more light samples, and two
-/// world sets; `emitters`: shapes that light samples are spread over. The exponents keep the error of interpolation below the noise of the
-/// mean as both fall (docs/accuracy.md).
-SurfacePass surface_pass(int index, const RenderOptions& options, const Camera& film, int emitters);
 
 /// Hierarchy and rays; no maps.
 MethodNeeds surface_needs(const Scene& scene, const std::vector<LightForm>& forms, const RenderOptions& options);
@@ -49,13 +33,13 @@ private:
     bool add_pass(const SurfacePass& pass);
     bool add_direct(std::uint64_t seed);
     void add_bounces(const SurfacePass& pass, const Turn& turn);
-    void add_lobes(double film_rays);
     void place_world(const SurfacePass& pass, const FilmPixels& pixels);
     int world_map() const;
-    int check_paths() const;
+    int check_paths(double rays_per_path) const;
     void report_bounces();
     bool enough(double pace);
-    SurfacePass pass(int index) const { return surface_pass(index, context_.options, context_.flat.camera, emitters_); }
+    SurfacePass pass(int index) const;
+    SurfacePencils seeds(const FilmPixels& pixels) const;
 
     RenderContext& context_;
     int emitters_ = 0;       // shapes whose light is sampled

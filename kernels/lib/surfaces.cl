@@ -49,10 +49,11 @@ static inline float3 hit_barycentric(global const Triangle *t, float4 cop, float
     return e / (e.x + e.y + e.z);
 }
 
-/// Index of the row that scatters light at a point: the side's own, and one of those that a blend chooses from, by random `bits`.
+/// Index of the row that scatters light at a point: the side's own, and one of those that a blend chooses from, by `bits` that differ from point to point.
 static inline int scattering_row(const Surfaces *s, int row, bool front, const TexturePoint *at, uint bits) {
     if (PENCIL_BLENDS && !front && s->materials[row].back >= 0) row = s->materials[row].back;
-    for (; PENCIL_BLENDS && s->materials[row].model == MATERIAL_BLEND; bits = hash_uint(bits)) {
+    while (PENCIL_BLENDS && s->materials[row].model == MATERIAL_BLEND) {
+        bits = hash_uint(bits);
         global const Material *m = s->materials + row;
         float4 value = texture_or_one(m->weight_texture, s->textures, s->bitmaps, at);
         float weight = m->weight * (m->flags & MATERIAL_OPACITY ? value.w : value.x);

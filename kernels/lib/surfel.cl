@@ -31,7 +31,7 @@ static inline void store_vertex(global float *surfels, int capacity, int i, cons
                                                           specular.x,
                                                           specular.y,
                                                           specular.z,
-                                                          lobes ? v->bsdf.alpha : 0.0f,
+                                                          lobes ? v->bsdf.alpha : -1.0f,
                                                           lobes ? v->bsdf.metallic : 0.0f};
     for (int f = 0; f < SURFEL_FIELDS_OUTGOING - SURFEL_FIELDS; ++f) s[(SURFEL_FIELDS + f) * c] = more[f];
 #if PENCIL_GLOW
@@ -72,7 +72,8 @@ static inline Vertex load_vertex(global const float *surfels, size_t capacity, i
     if (v.plane < 0 || v.row == PENCIL_NO_MATERIAL) return v;
     bool front = v.row >= 0;
     global const Material *m = materials + (front ? v.row : ~v.row);
-    if (!side_scatters(m, front)) return v;
+    // Facets of a relief that face away are black, whatever their material.
+    if (!side_scatters(m, front) || surfels[SURFEL_ALPHA * capacity + i] < 0.0f) return v;
     Bsdf b = {m->model,
               m->flags,
               m->albedo.xyz,

@@ -59,7 +59,7 @@ static inline float4 texture_or_one(int texture, global const TextureRow *textur
 /// Derivatives by u and v of the luminance of a bitmap's bilinear filter; other textures have none.
 static inline float2 texture_slope(global const TextureRow *t, global const half *texels, const TexturePoint *p) {
     if (t->kind != TEXTURE_BITMAP) return (float2)(0.0f);
-    float3 q = (float3)(p->uv, 1.0f), rec709 = (float3)(0.2126f, 0.7152f, 0.0722f);
+    float3 q = (float3)(p->uv, 1.0f), rec709 = (float3)(0.212671f, 0.715160f, 0.072169f);
     float2 at = (float2)(dot(t->row_u.xyz, q) * t->width, dot(t->row_v.xyz, q) * t->height) - 0.5f;
     at = clamp(at, -TEXTURE_FAR, TEXTURE_FAR);
     float2 low = floor(at), f = at - low;

@@ -32,7 +32,7 @@
 #define SURFEL_SR 21  // factor of reflection; principled: base colour
 #define SURFEL_SG 22
 #define SURFEL_SB 23
-#define SURFEL_ALPHA 24     // roughness
+#define SURFEL_ALPHA 24     // roughness; -1: what was seen has no lobes
 #define SURFEL_METALLIC 25  // principled
 
 // Of scenes with emitters whose radiance is a texture (Features::glow, on the device PENCIL_GLOW), which have those fields, too:

@@ -83,7 +83,7 @@ LatticeBench::LatticeBench()
                 const auto pixel = static_cast<std::size_t>(y * film.width() + x);
                 if (host_at[pixel] >= 0 || (counts[pixel] & FILM_COUNT_MASK) == 0) continue;
                 host_at[pixel] = pencils.count + static_cast<int>(chosen.surfels.size());
-                chosen.add(first[pixel], static_cast<uint>(pixel), glm::vec3(film.eye()));
+                chosen.add(first[pixel], static_cast<uint>(pixel), film.viewer(first[pixel]));
             }
         place_surface_pencils(kernels, film.surfels(), chosen, pencils, spacing);
     }

@@ -56,7 +56,7 @@ TEST(LimitReuse, IsTheReferences) {
             ASSERT_EQ(q.position, p.position);
         }
     }
-    EXPECT_GT(compared, 500);
+    EXPECT_GT(compared, 400);
     EXPECT_GT(clamped, 100);
 }
 

@@ -66,6 +66,7 @@ TEST(SmoothIrradiance, LinearIrradianceOnAPlaneIsKept) {
     for (SurfacePencil& p : film.pencils) {
         p.position = to_float4({p.position.x, 0, p.position.z}, 0.8);
         p.normal = p.facing = float4(0, 1, 0, 0);
+        p.facing.w = p.position.w;
         std::fill(std::begin(p.horizon_x), std::end(p.horizon_x), 0.0F);
         std::fill(std::begin(p.horizon_y), std::end(p.horizon_y), 0.0F);
         irradiance.push_back(to_float4(dvec3(3.0 + glm::dot(gradient, xyz(p.position)))));
@@ -91,6 +92,7 @@ TEST(SmoothIrradiance, SmallThingsAreFittedAsLargeOnes) {
     constexpr float scale = 0x1p-24F;
     for (SurfacePencil& p : film.pencils) {
         p.position *= scale;
+        p.facing.w *= scale;
         for (float& h : p.horizon_x) h /= scale;
         for (float& h : p.horizon_y) h /= scale;
     }

@@ -27,12 +27,14 @@ inline dvec3 mean_radiance(const Layer& image) {
 }
 
 /// Mean radiance within `bound` of the path tracer's, channel by channel.
-inline void expect_path_tracers(const Scene& scene, double bound, int spp = 1024) {
+inline void expect_path_tracers(const Scene& scene, double bound, int spp = 1024, double target_error = 2e-3) {
     ReferenceOptions reference;
     reference.spp = spp;
     reference.width = reference.height = compared_size;
     const dvec3 truth = mean_radiance(trace_paths(scene, reference).layers.front());
-    const RenderResult result = render_layers(scene, compared_options());
+    RenderOptions options = compared_options();
+    options.target_error = target_error;
+    const RenderResult result = render_layers(scene, options);
     const dvec3 ratio = mean_radiance(layer(result, "")) / truth;
     std::printf("surface method over path tracer: %.4f %.4f %.4f, %d passes\n", ratio.x, ratio.y, ratio.z, result.stats.passes);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(ratio[c], 1.0, bound) << "channel " << c;

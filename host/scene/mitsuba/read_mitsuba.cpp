@@ -81,7 +81,8 @@ private:
                 source_.problems().attempt([&] { read_sensor(source_, node); });  // says what is supported
         if (has_sensor_ || source_.problems().has_errors()) return;
         if (scene_.triangles.empty()) throw SceneError(shown(source_.file()), "the scene has no sensor; add <sensor type=\"perspective\">");
-        source_.approximate(source_.root(), "the scene has no sensor: one is added that sees all shapes from -z, as in Mitsuba");
+        if (scene_.meters.empty())
+            source_.approximate(source_.root(), "the scene has no sensor: one is added that sees all shapes from -z, as in Mitsuba");
         scene_.sensor = default_sensor(scene_);
     }
 

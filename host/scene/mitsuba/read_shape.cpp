@@ -45,6 +45,7 @@ void ShapeReader::read_one(Properties& p, const std::string& kind, const glm::dm
     const std::string ordinal = std::to_string(++ordinals_[kind]), id = p.node().attribute("id").value();
     shape.id = id.empty() ? kind + " " + ordinal : id;
     read_emission(p, shape);
+    read_meters(p, shape);
     place(p, mesh, group_to_world, shape, material_of(p, shape.emits));
 }
 
@@ -88,6 +89,23 @@ void ShapeReader::read_emission(Properties& p, Shape& shape) {
     for (const NestedObject& object : p.take_objects("emitter")) {
         if (shape.emits) source_.fail(object.named_at, p.label() + " has more than one emitter");
         emitters_.read_area(object, shape);
+    }
+}
+
+/// A sensor inside a shape measures it.
+void ShapeReader::read_meters(Properties& p, const Shape& shape) {
+    for (const NestedObject& object : p.take_objects("sensor")) {
+        Properties sensor(source_, object.node);
+        if (object.type != "irradiancemeter") {
+            sensor.approximate("", "inside a shape is not supported: left out");
+            continue;
+        }
+        sensor.take_objects("film");
+        sensor.take_objects("sampler");
+        sensor.ignore({"shutter_open", "shutter_close", "srf", "sample_count", "to_world"});
+        sensor.finish();
+        const std::string id = object.node.attribute("id").value();
+        scene_.meters.push_back({id.empty() ? shape.id : id, static_cast<std::uint32_t>(scene_.shapes.size())});
     }
 }
 

@@ -30,6 +30,7 @@ private:
     std::uint32_t material_of(Properties& p, bool emits);
     std::uint32_t default_material(bool emits);
     void read_emission(Properties& p, Shape& shape);
+    void read_meters(Properties& p, const Shape& shape);
     void place(Properties& p, const Mesh& mesh, const glm::dmat4& group_to_world, Shape shape, std::uint32_t material);
 
     XmlSource& source_;
