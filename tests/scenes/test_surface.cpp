@@ -143,7 +143,7 @@ TEST(Surface, BouncesKeepTheLight) {
     options.method = MethodName::surface;
     options.pencils = 800;
     options.width = options.height = size;
-    options.target_error = 1.5e-4;
+    options.target_error = 1e-3;
     const dvec3 ratio = mean_of_quarter(layer(render_layers(scene, options), ""), size) / truth;
     std::printf("surface method over path tracer: %.4f %.4f %.4f\n", ratio.x, ratio.y, ratio.z);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(ratio[c], 1.0, 0.007) << "channel " << c;
