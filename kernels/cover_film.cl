@@ -9,7 +9,7 @@
 
 /// launch : 1-D, one work-item per pixel
 /// in     : surfels of the film with their numbering; pencil_at[pixel]: film pencil of a pixel, -1: none; coarsest: largest spacing
-/// in/out : uncovered[capacity]: 1 on entry for surfels in question; 1 if the least reuse_error of the lattice points about the surfel's
+/// out    : uncovered[capacity]: 1 if the least reuse_error of the lattice points about the surfel's
 /// pixel exceeds `most_error`, else 0
 kernel void cover_film(global const float *surfels, int capacity, global const uchar *counts, global const int *first_surfel,
                        global const SurfacePencil *pencils, global const int *pencil_at, int coarsest, int finest, float most_error,
@@ -18,7 +18,6 @@ kernel void cover_film(global const float *surfels, int capacity, global const u
     if (pixel >= width * height) return;
     int2 at = (int2)(pixel % width, pixel / width);
     for (int i = first_surfel[pixel]; i < first_surfel[pixel] + (counts[pixel] & FILM_COUNT_MASK); ++i) {
-        if (!uncovered[i]) continue;
         global const float *s = surfels + i;
         size_t c = capacity;
         if (PENCIL_LOBES && !(s[SURFEL_ALBEDO_R * c] + s[SURFEL_ALBEDO_G * c] + s[SURFEL_ALBEDO_B * c] > 0.0f)) {

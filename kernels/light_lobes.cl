@@ -1,5 +1,6 @@
 // Direct light of the light samples along the lobes of some surfels, beside what light_surfels makes of their irradiance.
 
+#include "lib/apart.cl"
 #include "lib/lobe_light.cl"
 #include "lib/packet_visibility.cl"
 #include "lib/surfel_packet.cl"
@@ -9,14 +10,10 @@
 /// Shares of light below this are not worth a ray.
 #define LOBE_LEAST 1e-6f
 
-/// launch : 1-D, one work-item per packet of PENCIL_WIDTH of the chosen surfels
-/// in     : surfels; chosen[chosen_count]: those with lobes; samples[sample_count]; the scene
-/// out    : outgoing[3][capacity] [W m^-2 sr^-1], added to
-kernel void light_lobes(global const float *surfels, int capacity, global const int *chosen, int chosen_count,
-                        global const LightSample *samples, int sample_count, global const BvhNode *nodes, global const int *leaves,
-                        SURFACES_PARAMETERS, global float *outgoing) {
-    int first = get_global_id(0) * PENCIL_WIDTH;
-    if (first >= chosen_count) return;
+/// Of the packet at `first`, see below.
+APART static void light_lobes_packet(int first, global const float *surfels, int capacity, global const int *chosen, int chosen_count,
+                                     global const LightSample *samples, int sample_count, global const BvhNode *nodes,
+                                     global const int *leaves, SURFACES_PARAMETERS, global float *outgoing) {
     Surfaces scene = SURFACES;
     Vertex v[PENCIL_WIDTH];
     float3 sum[PENCIL_WIDTH];
@@ -62,4 +59,15 @@ kernel void light_lobes(global const float *surfels, int capacity, global const 
         outgoing[(size_t)capacity + i] += sum[l].y;
         outgoing[2 * (size_t)capacity + i] += sum[l].z;
     }
+}
+
+/// launch : 1-D, one work-item per packet of PENCIL_WIDTH of the chosen surfels
+/// in     : surfels; chosen[chosen_count]: those with lobes; samples[sample_count]; the scene
+/// out    : outgoing[3][capacity] [W m^-2 sr^-1], added to
+kernel void light_lobes(global const float *surfels, int capacity, global const int *chosen, int chosen_count,
+                        global const LightSample *samples, int sample_count, global const BvhNode *nodes, global const int *leaves,
+                        SURFACES_PARAMETERS, global float *outgoing) {
+    int first = get_global_id(0) * PENCIL_WIDTH;
+    if (first >= chosen_count) return;
+    light_lobes_packet(first, surfels, capacity, chosen, chosen_count, samples, sample_count, nodes, leaves, SURFACES_ARGUMENTS, outgoing);
 }

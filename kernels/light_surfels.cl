@@ -1,5 +1,6 @@
 // Direct light of surfels from the light samples (thesis alg. 6.2), each with its own geometry map for visibility.
 
+#include "lib/apart.cl"
 #include "lib/light_sample.cl"
 #include "lib/packet.cl"
 #include "lib/packet_visibility.cl"
@@ -30,17 +31,12 @@ static inline void add_light_sample(const SurfelPacket *s, const VisibilityMap *
     rgb[2] = fma(weight, (vfloat)(emission.z), rgb[2]);
 }
 
-/// launch : 1-D, one work-item per block of PENCIL_BLOCK packets of PENCIL_WIDTH surfels
-/// in     : surfels; samples[sample_count]; cops[sample_count]; cells, groups, hits: tiles of n x n of the samples; with PENCIL_BVH nodes
-/// and leaves
-///          instead
-/// out    : outgoing[3][capacity] [W m^-2 sr^-1], added to if `accumulate`
-kernel void light_surfels(global const float *surfels, int capacity, int surfel_count, global const LightSample *samples, int sample_count,
-                          global const float4 *cops, global const int2 *cells, global const int4 *groups, global const Hit *hits,
-                          SURFACES_PARAMETERS, int n, global const BvhNode *nodes, global const int *leaves, global float *outgoing,
-                          int accumulate) {
-    int first = get_global_id(0) * PENCIL_BLOCK * PENCIL_WIDTH;
-    if (first >= surfel_count) return;
+/// Of the packet at `first`, see below.
+APART static void light_surfels_packet(int first, global const float *surfels, int capacity, int surfel_count,
+                                       global const LightSample *samples, int sample_count, global const float4 *cops,
+                                       global const int2 *cells, global const int4 *groups, global const Hit *hits, SURFACES_PARAMETERS,
+                                       int n, global const BvhNode *nodes, global const int *leaves, global float *outgoing,
+                                       int accumulate) {
     Surfaces scene = SURFACES;
     VisibilityMap map = {cells, groups, hits, triangles, planes, n, nodes, leaves, &scene};
     SurfelPacket packets[PENCIL_BLOCK];
@@ -57,4 +53,19 @@ kernel void light_surfels(global const float *surfels, int capacity, int surfel_
     }
     for (int p = 0; p < PENCIL_BLOCK; ++p)
         scatter_irradiance(surfels, capacity, first + p * PENCIL_WIDTH, rgb[p][0], rgb[p][1], rgb[p][2], outgoing, accumulate);
+}
+
+/// launch : 1-D, one work-item per block of PENCIL_BLOCK packets of PENCIL_WIDTH surfels
+/// in     : surfels; samples[sample_count]; cops[sample_count]; cells, groups, hits: tiles of n x n of the samples; with PENCIL_BVH nodes
+/// and leaves
+///          instead
+/// out    : outgoing[3][capacity] [W m^-2 sr^-1], added to if `accumulate`
+kernel void light_surfels(global const float *surfels, int capacity, int surfel_count, global const LightSample *samples, int sample_count,
+                          global const float4 *cops, global const int2 *cells, global const int4 *groups, global const Hit *hits,
+                          SURFACES_PARAMETERS, int n, global const BvhNode *nodes, global const int *leaves, global float *outgoing,
+                          int accumulate) {
+    int first = get_global_id(0) * PENCIL_BLOCK * PENCIL_WIDTH;
+    if (first >= surfel_count) return;
+    light_surfels_packet(first, surfels, capacity, surfel_count, samples, sample_count, cops, cells, groups, hits, SURFACES_ARGUMENTS, n,
+                         nodes, leaves, outgoing, accumulate);
 }

@@ -2,6 +2,7 @@
 // emitters that it does not (neighbour clamping, Krivanek et al. 2006). DEVIATION: clamped by emitters alone: by all that is near, twice the pencils
 // are needed about contacts, to no gain.
 
+#include "lib/film_lattice.cl"
 #include "lib/surface_pencil.cl"
 #include "shared/surface_pencil.h"
 
@@ -19,9 +20,8 @@ kernel void limit_reuse(global SurfacePencil *pencils, global const int *pencil_
     float least = pencil_at[pixel] < first_new ? own->facing.w : own->position.w;
     for (int dy = -LIMIT_REACH; dy <= LIMIT_REACH; ++dy)
         for (int dx = -LIMIT_REACH; dx <= LIMIT_REACH; ++dx) {
-            int2 p = at + spacing * (int2)(dx, dy);
-            if (p.x < 0 || p.y < 0 || p.x >= width || p.y >= height) continue;
-            int index = pencil_at[p.y * width + p.x];
+            int neighbour = lattice_neighbour(at, (int2)(dx, dy), spacing, width, height);
+            int index = neighbour < 0 ? -1 : pencil_at[neighbour];
             if (index < 0) continue;
             float distance = reuse_distance(pencils + index, own->position.xyz, own->normal.xyz, INFINITY);
             if (distance < INFINITY) least = fmin(least, pencils[index].emitters + distance);

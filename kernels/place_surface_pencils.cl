@@ -11,7 +11,7 @@
 /// launch : 1-D, one work-item per new pencil
 /// in     : surfels; chosen[count]: the surfel of each pencil; keys[count]: its key; views[count]: xyz: where that surfel was seen from,
 ///          w: radius [scene units]; spacing: of the lattice of film pencils that they join [pixels], 0: none
-/// out    : pencils[first ..]: position, normal, facing, plane, key, spacing; the rest is 0 until they are measured
+/// out    : pencils[first ..]: position, normal, facing, plane, key, spacing; no emitters near, the rest 0 until they are measured
 /// A pencil lies a little nearer to its viewer than the surfel: where two walls meet, it must lie on the side of the second wall that was
 /// seen.
 kernel void place_surface_pencils(global const float *surfels, int capacity, global const int *chosen, global const uint *keys,
@@ -23,7 +23,7 @@ kernel void place_surface_pencils(global const float *surfels, int capacity, glo
     size_t c = capacity;
     float3 x = (float3)(s[SURFEL_X * c], s[SURFEL_Y * c], s[SURFEL_Z * c]), towards = views[item].xyz - x;
     // Seen through mirrors and glass: the side it was seen from is not the viewer's.
-    if (PENCIL_OUTGOING) towards = length(towards) * (float3)(s[SURFEL_OX * c], s[SURFEL_OY * c], s[SURFEL_OZ * c]);
+    if (PENCIL_LOBES) towards = length(towards) * (float3)(s[SURFEL_OX * c], s[SURFEL_OY * c], s[SURFEL_OZ * c]);
     float nearer = PLACE_NEARER * position_error(x);
     pencil->position = (float4)(x + towards * fmin(nearer / fmax(length(towards), nearer), PLACE_SHARE), 0.0f);
     pencil->normal = (float4)(s[SURFEL_NX * c], s[SURFEL_NY * c], s[SURFEL_NZ * c], views[item].w);

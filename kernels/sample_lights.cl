@@ -1,6 +1,7 @@
 // Direct light of surfels that are read only in the mean, such as the texels of surface pencils: every packet draws a few of the light
-// samples in proportion to what they would send it if nothing stood between, and follows rays to those.
+// samples, mostly in proportion to what they would send it if nothing stood between, and follows rays to those.
 
+#include "lib/apart.cl"
 #include "lib/hash.cl"
 #include "lib/light_sample.cl"
 #include "lib/lobe_light.cl"
@@ -14,6 +15,8 @@
 
 /// Samples come in groups: a point of a triangle and its two rotations among the corners (pencils/light_samples.cpp).
 #define LIGHT_GROUP 3
+/// Share of the draws that all candidates have alike: what would send most may stand behind a wall (defensive mixture, Hesterberg 1995).
+#define LIGHT_EVEN 0.25f
 
 /// What sample i would send to a packet: the sum over its surfels; those of `passes` take light from behind, too.
 static inline float sample_importance(const SurfelPacket *s, global const LightSample *sample, vint passes, global const half *tables) {
@@ -38,16 +41,11 @@ static inline int next_candidate(const Candidates *c, int i) {
     return (i - c->alone) % LIGHT_GROUP < LIGHT_GROUP - 1 ? i + 1 : i + 1 + c->skip;
 }
 
-/// launch : 1-D, one work-item per packet of PENCIL_WIDTH surfels
-/// in     : surfels; samples[sample_count]: `alone` that are each a light of its own, of which packets consider every alone_step-th, and those
-///          of wide lights, every stride-th group, each from a random start; area_factor: see lobe_light.cl; draws: samples that a packet
-///          takes, repetitions included
-/// in/out : outgoing[3][capacity] [W m^-2 sr^-1], an unbiased estimate of light_surfels' result is added
-kernel void sample_lights(global const float *surfels, int capacity, int surfel_count, global const LightSample *samples, int sample_count,
-                          global const BvhNode *nodes, global const int *leaves, SURFACES_PARAMETERS, float area_factor, int alone,
-                          int alone_step, int stride, int draws, uint seed, global float *outgoing) {
-    int first = get_global_id(0) * PENCIL_WIDTH;
-    if (first >= surfel_count) return;
+/// Of the packet at `first`, see below.
+APART static void sample_lights_packet(int first, global const float *surfels, int capacity, int surfel_count,
+                                       global const LightSample *samples, int sample_count, global const BvhNode *nodes,
+                                       global const int *leaves, SURFACES_PARAMETERS, float area_factor, int alone, int alone_step,
+                                       int stride, int draws, uint seed, global float *outgoing) {
     Surfaces scene = SURFACES;
     VisibilityMap map = {0, 0, 0, triangles, planes, 0, nodes, leaves, &scene};
     SurfelPacket s = load_surfels(surfels, capacity, first);
@@ -62,14 +60,21 @@ kernel void sample_lights(global const float *surfels, int capacity, int surfel_
     passes = lanes_that_pass(surfels, capacity, first, materials, has_lobes);
 #endif
     float total = 0.0f;
-    for (int i = start; i < sample_count; i = next_candidate(&c, i))
-        total += sample_importance(&s, samples + i, passes, bitmaps) * (i < alone ? alone_step : stride);
+    int reaching = 0;
+    for (int i = start; i < sample_count; i = next_candidate(&c, i)) {
+        float importance = sample_importance(&s, samples + i, passes, bitmaps) * (i < alone ? alone_step : stride);
+        total += importance;
+        reaching += importance > 0.0f;
+    }
     if (!(total > 0.0f)) return;
+    float even = LIGHT_EVEN * total / reaching;
     // Systematic resampling: draws at equal steps of the running sum, from a random first.
     float interval = total / draws, next = interval * (hash_uint(bits) >> UNIT_SHIFT) * UNIT_STEP, sum = 0.0f;
     vfloat r = 0.0f, g = 0.0f, b = 0.0f;
     for (int i = start; i < sample_count; i = next_candidate(&c, i)) {
         float importance = sample_importance(&s, samples + i, passes, bitmaps) * (i < alone ? alone_step : stride);
+        if (!(importance > 0.0f)) continue;
+        importance = (1.0f - LIGHT_EVEN) * importance + even;
         sum += importance;
         int drawn = 0;
         for (; next < sum; next += interval) ++drawn;
@@ -96,4 +101,18 @@ kernel void sample_lights(global const float *surfels, int capacity, int surfel_
 #if PENCIL_LOBES
     store_rgb(outgoing, capacity, first, PACKET_LOAD(lobes[0]), PACKET_LOAD(lobes[1]), PACKET_LOAD(lobes[2]), 1);
 #endif
+}
+
+/// launch : 1-D, one work-item per packet of PENCIL_WIDTH surfels
+/// in     : surfels; samples[sample_count]: `alone` that are each a light of its own, of which packets consider every alone_step-th, and those
+///          of wide lights, every stride-th group, each from a random start; area_factor: see lobe_light.cl; draws: samples that a packet
+///          takes, repetitions included
+/// in/out : outgoing[3][capacity] [W m^-2 sr^-1], an unbiased estimate of light_surfels' result is added
+kernel void sample_lights(global const float *surfels, int capacity, int surfel_count, global const LightSample *samples, int sample_count,
+                          global const BvhNode *nodes, global const int *leaves, SURFACES_PARAMETERS, float area_factor, int alone,
+                          int alone_step, int stride, int draws, uint seed, global float *outgoing) {
+    int first = get_global_id(0) * PENCIL_WIDTH;
+    if (first >= surfel_count) return;
+    sample_lights_packet(first, surfels, capacity, surfel_count, samples, sample_count, nodes, leaves, SURFACES_ARGUMENTS, area_factor,
+                         alone, alone_step, stride, draws, seed, outgoing);
 }

@@ -1,6 +1,7 @@
 // Irradiance of film pencils, each fitted with its neighbours on the lattice: a linear function of position, so that slopes stay and noise
 // averages out.
 
+#include "lib/film_lattice.cl"
 #include "lib/hemisphere.cl"
 #include "lib/surface_pencil.cl"
 #include "shared/surface_pencil.h"
@@ -26,16 +27,15 @@ kernel void smooth_irradiance(global const SurfacePencil *pencils, global const 
     int spacing = own->spacing;
     float3 x = own->position.xyz, n = own->normal.xyz, t, b;
     tangent_frame(n, &t, &b);
-    // In units of the mean distance of what is seen: neighbours lie within it, whatever the scale of the scene.
+    // In units of the pencil's reach: neighbours lie within it, whatever the scale of the scene.
     float unit = fmax(own->facing.w, FLT_MIN);
     // Sums of weights, of (s, u) and the irradiance, and of their products.
     float w = 0.0f, ws = 0.0f, wu = 0.0f, wss = 0.0f, wsu = 0.0f, wuu = 0.0f;
     float3 e0 = (float3)(0.0f), es = (float3)(0.0f), eu = (float3)(0.0f);
     for (int dy = -SMOOTH_REACH; dy <= SMOOTH_REACH; ++dy)
         for (int dx = -SMOOTH_REACH; dx <= SMOOTH_REACH; ++dx) {
-            int2 p = at + spacing * (int2)(dx, dy);
-            if (p.x < 0 || p.y < 0 || p.x >= width || p.y >= height) continue;
-            int index = pencil_at[p.y * width + p.x];
+            int neighbour = lattice_neighbour(at, (int2)(dx, dy), spacing, width, height);
+            int index = neighbour < 0 ? -1 : pencil_at[neighbour];
             if (index < 0) continue;
             global const SurfacePencil *pencil = pencils + index;
             float distance = reuse_distance(pencil, x, n, INFINITY);

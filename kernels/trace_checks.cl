@@ -2,16 +2,15 @@
 // vertex lit by one sample of the emitters and by what its own ray meets, combined by the balance heuristic (Veach 1997, 9.2), ended by
 // Russian roulette without a bound below 1.
 
+#include "lib/apart.cl"
 #include "lib/bsdf.cl"
+#include "lib/check_lights.cl"
 #include "lib/hash.cl"
 #include "lib/hemisphere.cl"
-#include "lib/light_profile.cl"
 #include "lib/packet.cl"
 #include "lib/rays.cl"
 #include "lib/shadow.cl"
-#include "lib/sky.cl"
 #include "lib/surfel.cl"
-#include "shared/emitter.h"
 #include "shared/surfel.h"
 
 /// Reflections after which a path may end.
@@ -31,25 +30,10 @@ typedef struct CheckPath {
     float pdf;    // of the ray from there per solid angle [1/sr]; 0: of a lobe without width
 } CheckPath;
 
-/// Emitters that paths choose from.
-typedef struct CheckLights {
-    global const Emitter *emitters;
-    int count;
-    float power;     // luminance of radiance times area, all of them [scene units^2]
-    float sky_area;  // that a texel of the sky counts with
-    global const Sky *sky;
-    global const float4 *sky_texels;
-} CheckLights;
-
-/// As luminance of image/colour.h: emitters are chosen by it.
-static inline float emitter_luminance(float3 radiance) { return dot(radiance, (float3)(0.2126f, 0.7152f, 0.0722f)); }
-
 static inline float check_random(CheckPath *p) {
     p->bits = hash_uint(p->bits);
     return (p->bits >> UNIT_SHIFT) * UNIT_STEP;
 }
-
-static inline float largest_of(float3 v) { return fmax(v.x, fmax(v.y, v.z)); }
 
 /// At the surfel that a path starts on.
 static inline CheckPath begin_path(global const float *surfels, size_t capacity, int surfel, global const Material *materials,
@@ -73,22 +57,10 @@ static inline CheckPath begin_path(global const float *surfels, size_t capacity,
     return p;
 }
 
-/// Axes of the local frame of a vertex (bsdf.cl): omega_o lies over the first.
-static inline void vertex_frame(const Vertex *v, float3 *t, float3 *b) {
-    float3 across = v->o - dot(v->n, v->o) * v->n;
-    float width = PENCIL_LOBES ? length(across) : 0.0f;
-    if (!(width > 1e-6f)) {
-        tangent_frame(v->n, t, b);
-        return;
-    }
-    *t = across / width;
-    *b = cross(v->n, *t);
-}
-
 /// Chance with which a direction is drawn for the base of a vertex.
 static inline float base_chance(const Vertex *v) {
     if (!PENCIL_LOBES || v->bsdf.model == MATERIAL_DIFFUSE) return 1.0f;
-    float base = largest_of(v->albedo), lobes = largest_of(bsdf_share(&v->bsdf, seen_from(v->n, v->o)));
+    float base = largest(v->albedo), lobes = largest(bsdf_share(&v->bsdf, seen_from(v->n, v->o)));
     return base + lobes > 0.0f ? base / (base + lobes) : 1.0f;
 }
 
@@ -99,34 +71,12 @@ static inline float3 scatter_from(const Vertex *v, float3 direction, float *dens
     bool above = dot(v->g, direction) > 0.0f;
     if (!PENCIL_LOBES || v->bsdf.model == MATERIAL_DIFFUSE) return above ? v->albedo * up : (float3)(0.0f);
     float3 t, b, omega_o = seen_from(v->n, v->o);
-    vertex_frame(v, &t, &b);
+    frame_towards(v->n, v->o, &t, &b);
     float3 omega_i = (float3)(dot(direction, t), dot(direction, b), cosine);
     *density += (1.0f - chance) * bsdf_pdf(&v->bsdf, omega_o, omega_i);
     if (above != omega_i.z > 0.0f) return (float3)(0.0f);
     return v->albedo * (up * (up > 0.0f ? bsdf_base_factor(&v->bsdf, omega_o, omega_i) : 0.0f)) + bsdf_evaluate(&v->bsdf, omega_o, omega_i);
 }
-
-/// The emitter at share u of all power.
-static inline int find_emitter(global const Emitter *emitters, int count, float u) {
-    int low = 0, high = count - 1;
-    while (low < high) {
-        int middle = (low + high) / 2;
-        if (emitters[middle].emission.w > u)
-            high = middle;
-        else
-            low = middle + 1;
-    }
-    return low;
-}
-
-/// Light that an emitter sends to a vertex, if nothing stands between.
-typedef struct Aim {
-    float3 segment;    // to a point of it; infinitely far: a unit direction
-    float3 direction;  // unit
-    float3 light;      // radiance, or irradiance across the direction over its chance where density is 0; 0: it sends none
-    float density;     // of light samples per solid angle [1/sr], 0: of what rays do not find
-    bool far;
-} Aim;
 
 /// Radiance that the vertex sends back of it, by the balance heuristic.
 static inline float3 scattered_light(const CheckPath *p, const Aim *a) {
@@ -136,77 +86,15 @@ static inline float3 scattered_light(const CheckPath *p, const Aim *a) {
     return f * a->light * (a->density > 0.0f ? 1.0f / (a->density + own) : 1.0f);
 }
 
-/// Density per solid angle of light samples of the sky in a direction of this luminance [1/sr].
-static inline float sky_density(const CheckLights *lights, float luminance) {
-    return lights->power > 0.0f ? fmax(luminance - lights->sky->limit, 0.0f) * lights->sky_area / lights->power : 0.0f;
-}
-
-/// A point of a texel of the sky.
-static inline void aim_at_sky(const CheckLights *lights, global const Emitter *e, float v, float w, Aim *a) {
-    global const Sky *sky = lights->sky;
-    float high = cos(sky_edge(sky, e->row)), low = cos(sky_edge(sky, e->row + 1));
-    float z = mix(low, high, v), r = sqrt(fmax(1.0f - z * z, 0.0f)), phi = 2.0f * M_PI_F * (e->column + w) / sky->width;
-    float3 d = (float3)(r * sin(phi), z, -r * cos(phi));
-    a->segment = a->direction = d.x * sky->to_local[0].xyz + d.y * sky->to_local[1].xyz + d.z * sky->to_local[2].xyz;
-    float3 all = lights->sky_texels[(size_t)e->row * sky->width + e->column].xyz;
-    float luminance = sky_luminance(all);
-    a->light = all * (1.0f - sky->limit / luminance);
-    a->density = sky_density(lights, luminance);
-    a->far = true;
-}
-
-/// A point light, a spot, or parallel light.
-static inline void aim_at_point(float3 x, global const Emitter *e, global const half *tables, Aim *a) {
-    a->density = 0.0f;
-    if (e->triangle == EMITTER_PARALLEL) {
-        a->segment = a->direction = -e->axis.xyz;
-        a->light = e->emission.xyz / e->chance;
-        a->far = true;
-        return;
-    }
-    a->segment = e->position.xyz - x;
-    float square = dot(a->segment, a->segment), share = 1.0f;
-    a->direction = a->segment * rsqrt(square);
-    if (PENCIL_FAR_LIGHT && e->position.w > 0.0f) {
-        float angle = acos(clamp(-dot(e->axis.xyz, a->direction), -1.0f, 1.0f));
-        share = clamp((e->position.w - angle) / fmax(e->position.w - e->axis.w, 1e-6f), 0.0f, 1.0f);
-    }
-    if (PENCIL_FAR_LIGHT && e->position.w < 0.0f) share = profile_share(tables, (int)(-1.0f - e->position.w), e->axis.xyz, -a->direction);
-    a->light = e->emission.xyz * (share / (square * e->chance));
-}
-
-/// An emitter, chosen by power, and a point of it.
-static inline Aim aim_check(CheckPath *p, const CheckLights *lights, const Surfaces *scene) {
-    float u = check_random(p), v = check_random(p), w = check_random(p);
-    Aim a = {(float3)(0.0f), (float3)(0.0f), (float3)(0.0f), 0.0f, false};
-    global const Emitter *e = lights->emitters + find_emitter(lights->emitters, lights->count, u);
-    if (PENCIL_SKY && e->triangle == EMITTER_SKY) {
-        aim_at_sky(lights, e, v, w, &a);
-    } else if (e->triangle < 0) {
-        aim_at_point(p->at.x, e, scene->bitmaps, &a);
-    } else {
-        global const Triangle *t = scene->triangles + e->triangle;
-        float root = sqrt(v);
-        float3 corners = (float3)(1.0f - root, root * (1.0f - w), root * w);
-        a.segment = (corners.x * t->v0 + corners.y * t->v1 + corners.z * t->v2).xyz - p->at.x;
-        float square = dot(a.segment, a.segment);
-        a.direction = a.segment * rsqrt(square);
-        float light_cosine = -dot(scene->planes[t->plane].xyz, a.direction);
-        if (!(light_cosine > 0.0f)) return a;
-        global const Material *m = scene->materials + t->material;
-        TexturePoint at = texture_point(scene, e->triangle, corners);
-        a.light = emission_at(scene, m, &at);
-        a.density = emitter_luminance(m->emission.xyz) / lights->power * square / light_cosine;
-    }
-    return a;
-}
-
 /// A direction for what the vertex scatters; the throughput takes that in. 0 if the path ends.
 static inline float3 next_direction(CheckPath *p) {
     float pick = check_random(p), u = check_random(p), v = check_random(p), w = PENCIL_LOBES ? check_random(p) : 0.0f,
           chance = base_chance(&p->at);
     float3 t, b, direction;
-    vertex_frame(&p->at, &t, &b);
+    if (PENCIL_LOBES)
+        frame_towards(p->at.n, p->at.o, &t, &b);
+    else
+        tangent_frame(p->at.n, &t, &b);
     if (pick < chance) {
         float radius = sqrt(u), phi = 2.0f * M_PI_F * v;
         direction = radius * cos(phi) * t + radius * sin(phi) * b + sqrt(1.0f - u) * p->at.n;
@@ -236,15 +124,16 @@ static inline void arrive(CheckPath *p, float3 direction, int triangle, float di
     if (triangle < 0) {
         if (PENCIL_SKY) {
             float3 all = sky_texel(lights->sky, lights->sky_texels, direction);
-            float luminance = sky_luminance(all), low = fmin(lights->sky->limit / fmax(luminance, 1e-30f), 1.0f);
-            float share = p->pdf > 0.0f ? low + (1.0f - low) * p->pdf / (p->pdf + sky_density(lights, luminance)) : 1.0f;
+            float size = luminance(all), low = fmin(lights->sky->limit / fmax(size, 1e-30f), 1.0f);
+            float share = p->pdf > 0.0f ? low + (1.0f - low) * p->pdf / (p->pdf + sky_density(lights, size)) : 1.0f;
             p->sum += p->throughput * all * share;
         }
         p->throughput = (float3)(0.0f);
         return;
     }
     Hit hit = {triangle, 1.0f / distance};
-    float3 mean = scene->materials[scene->triangles[triangle].material].emission.xyz;
+    int row = scene->triangles[triangle].material;
+    float3 mean = scene->materials[row].emission.xyz;
     float4 plane = scene->planes[scene->triangles[triangle].plane];
     float light_cosine = -dot(plane.xyz, direction);
     float3 segment = p->at.x + distance * direction - p->from;
@@ -256,7 +145,7 @@ static inline void arrive(CheckPath *p, float3 direction, int triangle, float di
 #else
         float3 emission = mean;
 #endif
-        float density = emitter_luminance(mean) / lights->power * dot(segment, segment) / light_cosine;
+        float density = lights->densities[row] * dot(segment, segment) / light_cosine;
         p->sum += p->throughput * emission * (p->pdf > 0.0f ? p->pdf / (p->pdf + density) : 1.0f);
     }
 }
@@ -288,7 +177,9 @@ static inline void light_vertices(CheckPath *paths, const CheckLights *lights, c
         segments[l] = light[l] = (float3)(0.0f);
         end[l] = -1.0f;
         if (!any(paths[l].throughput > 0.0f)) continue;
-        Aim a = aim_check(paths + l, lights, scene);
+        CheckPath *p = paths + l;
+        float pick = check_random(p), u = check_random(p), v = check_random(p);
+        Aim a = aim_check(p->at.x, (float3)(pick, u, v), lights, scene);
         segments[l] = a.segment;
         light[l] = scattered_light(paths + l, &a);
         if (any(light[l] > 0.0f)) end[l] = a.far ? INFINITY : CHECK_SHADOW_END;
@@ -308,26 +199,20 @@ static inline float3 vertex_share(const Vertex *v) {
 static inline bool go_on(CheckPath *p, int order, float3 *direction) {
     *direction = (float3)(0.0f);
     if (order > CHECK_SURE_ORDERS) {
-        float survival = fmin(largest_of(p->throughput * vertex_share(&p->at)), 1.0f);
+        float survival = fmin(largest(p->throughput * vertex_share(&p->at)), 1.0f);
         p->throughput = survival > 0.0f && check_random(p) < survival ? p->throughput / survival : (float3)(0.0f);
     }
     if (any(p->throughput > 0.0f)) *direction = next_direction(p);
     return any(p->throughput > 0.0f);
 }
 
-/// launch : 1-D, one work-item per packet of PENCIL_WIDTH paths
-/// in     : surfels; starts[path_count]: the surfel of each path, -1: none; emitters[emitter_count] and their power, luminance of radiance times
-///          area summed, a point light as a small sphere [scene units^2]; sky_area: that the
-///          sky counts with [scene units^2]; orders: reflections at most, -1: no limit; seed; the scene
-/// out    : radiance[3][path_count]: an estimate of what each surfel reflects to the eye [W m^-2 sr^-1]: the film knows
-///          better what it emits
-kernel void trace_checks(global const float *surfels, int capacity, global const int *starts, int path_count,
-                         global const Emitter *emitters, int emitter_count, float power, float sky_area, SKY_PARAMETERS, int orders,
-                         uint seed, global const BvhNode *nodes, global const int *leaves, SURFACES_PARAMETERS, global float *radiance) {
-    int first = get_global_id(0) * PENCIL_WIDTH;
-    if (first >= path_count) return;
+/// Of the packet at `first`, see below.
+APART static void trace_checks_packet(int first, global const float *surfels, int capacity, global const int *starts, int path_count,
+                                      global const Emitter *emitters, int emitter_count, global const float *densities, float sky_density,
+                                      SKY_PARAMETERS, int orders, uint seed, global const BvhNode *nodes, global const int *leaves,
+                                      SURFACES_PARAMETERS, global float *radiance) {
     CheckPath paths[PENCIL_WIDTH];
-    CheckLights lights = {emitters, emitter_count, power, sky_area, sky, sky_texels};
+    CheckLights lights = {emitters, emitter_count, densities, sky_density, sky, sky_texels};
     Surfaces scene = SURFACES;
 #pragma unroll 1
     for (int l = 0; l < PENCIL_WIDTH; ++l)
@@ -357,4 +242,19 @@ kernel void trace_checks(global const float *surfels, int capacity, global const
         radiance[path_count + first + l] = paths[l].sum.y;
         radiance[2 * (size_t)path_count + first + l] = paths[l].sum.z;
     }
+}
+
+/// launch : 1-D, one work-item per packet of PENCIL_WIDTH paths
+/// in     : surfels; starts[path_count]: the surfel of each path, -1: none; emitters[emitter_count], densities[material] and sky_density: as
+///          in EmitterTable; orders: reflections at most, -1: no limit; seed; the scene
+/// out    : radiance[3][path_count]: an estimate of what each surfel reflects to the eye [W m^-2 sr^-1]: the film knows
+///          better what it emits
+kernel void trace_checks(global const float *surfels, int capacity, global const int *starts, int path_count,
+                         global const Emitter *emitters, int emitter_count, global const float *densities, float sky_density,
+                         SKY_PARAMETERS, int orders, uint seed, global const BvhNode *nodes, global const int *leaves, SURFACES_PARAMETERS,
+                         global float *radiance) {
+    int first = get_global_id(0) * PENCIL_WIDTH;
+    if (first >= path_count) return;
+    trace_checks_packet(first, surfels, capacity, starts, path_count, emitters, emitter_count, densities, sky_density, SKY_ARGUMENTS,
+                        orders, seed, nodes, leaves, SURFACES_ARGUMENTS, radiance);
 }

@@ -1,5 +1,6 @@
 // Gather Q of surface pencils: the surfels that the texels of their hemispheres see, by packets of rays through the hierarchy.
 
+#include "lib/apart.cl"
 #include "lib/bvh.cl"
 #include "lib/hash.cl"
 #include "lib/hemisphere.cl"
@@ -10,17 +11,10 @@
 #include "shared/material.h"
 #include "shared/surface_pencil.h"
 
-/// launch : 1-D, one work-item per packet of PENCIL_WIDTH texels of pencils first_pencil .. ; `texels` entries per pencil of maps of n * n,
-///          in the order of hemisphere_texel: all of them, or, where several pencils share a map, a block each in turn
-/// in     : pencils (position, normal, facing, plane, key); the scene and its hierarchy; seed: of the points within texels; shift: of all
-///          points, as fractions of 2^32: a digital shift, so that a sequence of them fills each texel as evenly as it fills the square
-/// out    : surfels, structure of arrays of `capacity`, entry k of pencil first_pencil + p at first_surfel + p * texels + k
-/// needs  : n a multiple of 4, texels a multiple of the blocks' size. Texels below the geometric horizon of a pencil see nothing.
-kernel void trace_hemispheres(global const SurfacePencil *pencils, int first_pencil, int pencil_count, int texels, int n, uint seed,
-                              uint2 shift, global const BvhNode *nodes, global const int *leaves, SURFACES_PARAMETERS,
-                              global float *surfels, int capacity, int first_surfel) {
-    int first = get_global_id(0) * PENCIL_WIDTH;
-    if (first >= pencil_count * texels) return;
+/// Of the packet at `first`, see below.
+APART static void trace_hemispheres_packet(int first, global const SurfacePencil *pencils, int first_pencil, int pencil_count, int texels,
+                                           int n, uint seed, uint2 shift, global const BvhNode *nodes, global const int *leaves,
+                                           SURFACES_PARAMETERS, global float *surfels, int capacity, int first_surfel) {
     int index = first_pencil + first / texels;
     global const SurfacePencil *pencil = pencils + index;
     float4 origin = (float4)(pencil->position.xyz, 0.0f);
@@ -62,4 +56,19 @@ kernel void trace_hemispheres(global const SurfacePencil *pencils, int first_pen
         write_surfel(surfels, capacity, first_surfel + first + l, hit, origin, direction, &scene,
                      as_uint(LANE_FLOAT(rays.x, l)) ^ as_uint(LANE_FLOAT(rays.y, l)));
     }
+}
+
+/// launch : 1-D, one work-item per packet of PENCIL_WIDTH texels of pencils first_pencil .. ; `texels` entries per pencil of maps of n * n,
+///          in the order of hemisphere_texel: all of them, or, where several pencils share a map, a block each in turn
+/// in     : pencils (position, normal, facing, plane, key); the scene and its hierarchy; seed: of the points within texels; shift: of all
+///          points, as fractions of 2^32: a digital shift, so that a sequence of them fills each texel as evenly as it fills the square
+/// out    : surfels, structure of arrays of `capacity`, entry k of pencil first_pencil + p at first_surfel + p * texels + k
+/// needs  : n a multiple of 4, texels a multiple of the blocks' size. Texels below the geometric horizon of a pencil see nothing.
+kernel void trace_hemispheres(global const SurfacePencil *pencils, int first_pencil, int pencil_count, int texels, int n, uint seed,
+                              uint2 shift, global const BvhNode *nodes, global const int *leaves, SURFACES_PARAMETERS,
+                              global float *surfels, int capacity, int first_surfel) {
+    int first = get_global_id(0) * PENCIL_WIDTH;
+    if (first >= pencil_count * texels) return;
+    trace_hemispheres_packet(first, pencils, first_pencil, pencil_count, texels, n, seed, shift, nodes, leaves, SURFACES_ARGUMENTS, surfels,
+                             capacity, first_surfel);
 }

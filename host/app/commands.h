@@ -41,8 +41,8 @@ enum class MeasureMethod { surface, reference };
 
 struct MeasureCommand {
     std::filesystem::path scene;
-    LoadOptions load;
-    std::filesystem::path points;  // empty: none
+    LoadOptions load{{}, {}, false, false};  // sensors are no camera
+    std::filesystem::path points;            // empty: none
     std::vector<SensorGrid> grids;
     std::filesystem::path output;  // empty: the standard output
     MeasureMethod method = MeasureMethod::surface;

@@ -10,6 +10,7 @@
 #include "app/outputs.h"
 #include "measure/measure.h"
 #include "measure/measurements_csv.h"
+#include "render/photometric_layers.h"
 #include "scene/formats/load_scene.h"
 #include "util/log.h"
 #include "util/output_file.h"
@@ -29,12 +30,15 @@ void check_output(const MeasureCommand& command) {
 std::vector<Sensor> sensors_of(const MeasureCommand& command, const Scene& scene) {
     std::vector<SensorPoint> points;
     if (!command.points.empty()) points = read_sensor_points(command.points);
+    const auto too_many = [] { return UsageError(fmt::format("more than {} sensors: give fewer --grid or --points", most_sensors)); };
     for (const SensorGrid& grid : command.grids) {
         const std::vector<SensorPoint> more = grid_points(grid);
         points.insert(points.end(), more.begin(), more.end());
+        if (points.size() > most_sensors) throw too_many();
     }
     std::vector<Sensor> sensors = all_sensors(points, scene);
     if (sensors.empty()) throw UsageError("there is nothing to measure: give --points or --grid, or a scene with irradiance meters");
+    if (sensors.size() > most_sensors) throw too_many();
     return sensors;
 }
 
@@ -55,9 +59,8 @@ Measurements measure_with_progress(const MeasureCommand& command, const Scene& s
         return interrupted_by() == 0;
     };
     if (command.method == MeasureMethod::surface) return measure(scene, sensors, command.options, Device::open(command.device), progress);
-    const double given = command.options.lumens_per_watt;
     return measure_by_paths(scene, sensors, path_options(command, scene),
-                            given == efficacy_of_scene ? standard_efficacy(scene.photometric) : given, progress);
+                            efficacy_of(command.options.lumens_per_watt, scene.photometric_lights > 0), progress);
 }
 
 std::string summary(const Measurements& found, double seconds) {
@@ -86,6 +89,7 @@ ExitCode run_measure(const MeasureCommand& command) {
     check_output(command);
     const Scene scene = load_scene(command.scene, command.load);
     std::for_each(scene.warnings.begin(), scene.warnings.end(), print_warning);
+    for (const std::string& warning : mixed_lights(scene, command.options.lumens_per_watt)) print_warning(warning);
     const std::vector<Sensor> sensors = sensors_of(command, scene);
     const Measurements found = measure_with_progress(command, scene, sensors);
     std::for_each(found.warnings.begin(), found.warnings.end(), print_warning);
@@ -99,7 +103,7 @@ ExitCode run_measure(const MeasureCommand& command) {
         print_error("interrupted; what was measured until then is written");
         return ExitCode::interrupted;
     }
-    return ExitCode::ok;
+    return found.converged ? ExitCode::ok : ExitCode::not_converged;
 }
 
 }  // namespace pencil

@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <tuple>
 
-#include "image/write_image.h"
 #include "options/option_values.h"
 #include "options/render_option_table.h"
 
@@ -132,14 +130,6 @@ std::vector<std::string> reference_layers() {
     return layers;
 }
 
-/// Layers that names of PNGs ask for.
-void add_named_layers(const std::vector<std::filesystem::path>& outputs, std::vector<std::string>& layers) {
-    for (const std::filesystem::path& output : outputs) {
-        const std::string name = output.has_extension() ? layer_of_name(output) : "";
-        if (!name.empty() && !has_group(layers, name)) layers.push_back(name);
-    }
-}
-
 }  // namespace
 
 std::vector<Option> option_table(RenderCommand& command) {
@@ -161,7 +151,7 @@ std::vector<Option> option_table(ReferenceCommand& command) {
                                  "Longest paths: 1 emission only, 2 with direct light; auto: no limit"),
                   resolution_option(o.width, o.height, "the scene's"),
                   list_option("--aov", command.aovs, reference_layers(), "all but illuminance, luminance, variance",
-                              "Layers beside the beauty, separated by commas"),
+                              "Layers beside the beauty, separated by commas", photometric_layers()),
                   lumens_row(command.lumens_per_watt), seed_option(o.seed),
                   path_row("--stats", "FILE", command.stats, "Write times and counts as JSON"), quiet_row(command.quiet)});
     return rows;
@@ -180,7 +170,7 @@ std::vector<Option> option_table(MeasureCommand& command) {
            {path_row("--points", "FILE", command.points, "Sensors, a line each: x,y,z,nx,ny,nz, or a grid of them"),
             grid_row(command.grids), path_row("-o,--output", "FILE.csv", command.output, "Table to write, instead of the standard output"),
             word_option("--method", command.method, {"surface", "reference"}, "Pencils on surfaces, or the path tracer"), time, target,
-            endless_option("--bounces", o.bounces, 0, most_depth,
+            endless_option("--bounces", o.bounces, 1, most_depth,
                            "Reflections at most, the last one that of a sensor: 1 direct light only; auto: until they add nothing"),
             lumens_row(o.lumens_per_watt), seed_option(o.seed), device_row(command.device), quiet_row(command.quiet)});
     return rows;
@@ -239,40 +229,6 @@ std::vector<Option> option_table(DocumentCommand& command) {
                       "",
                       [&command, formats](const std::string& text) { command.format = formats[parse_choice(text, formats)]; },
                       {}})};
-}
-
-void settle(RenderCommand& command, const std::vector<Option>& table, const Given& given) {
-    const std::string line = to_string(MethodName::line);
-    bool named = false, of_line = false;
-    for (const Option& row : table) {
-        named = named || (row.flag == "--method" && given(row));
-        of_line = of_line || (row.method == line && given(row));
-    }
-    if (!named && of_line) command.options.method = MethodName::line;
-    add_named_layers(command.outputs, command.options.aovs);
-    const std::string method = to_string(command.options.method);
-    for (const Option& row : table)
-        if (given(row) && !row.method.empty() && row.method != method)
-            throw std::invalid_argument(row.flag + ": is not an option of --method " + method);
-}
-
-void settle(ReferenceCommand& command, const std::vector<Option>& table, const Given& given) {
-    add_named_layers(command.outputs, command.aovs);
-    const auto has = [&](const std::string& flag) {
-        return std::any_of(table.begin(), table.end(), [&](const Option& row) { return row.flag == flag && given(row); });
-    };
-    if (has("--spp") && has("--time")) throw std::invalid_argument("--time excludes --spp");
-}
-
-void settle(MeasureCommand& command, const std::vector<Option>& table, const Given& given) {
-    const auto has = [&](const std::string& flag) {
-        return std::any_of(table.begin(), table.end(), [&](const Option& row) { return row.flag == flag && given(row); });
-    };
-    const bool target = has("--target-error");
-    if (target && has("--time")) throw std::invalid_argument("--time excludes --target-error");
-    if (target && command.method == MeasureMethod::reference)
-        throw std::invalid_argument("--target-error: is not an option of --method reference");
-    command.options.seconds = target ? 0 : command.seconds;
 }
 
 }  // namespace pencil

@@ -27,6 +27,7 @@ using Given = std::function<bool(const Option&)>;
 void settle(RenderCommand& command, const std::vector<Option>& table, const Given& given);
 void settle(ReferenceCommand& command, const std::vector<Option>& table, const Given& given);
 void settle(MeasureCommand& command, const std::vector<Option>& table, const Given& given);
+void settle(StressCommand& command, const std::vector<Option>& table, const Given& given);
 template <typename Command>
 void settle(Command&, const std::vector<Option>&, const Given&) {}
 

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <system_error>
 
-#include "image/write_image.h"
 #include "options/layer.h"
 #include "util/error.h"
 #include "util/format.h"
@@ -35,6 +34,30 @@ void check_outputs(const std::vector<fs::path>& images, const fs::path& stats, c
             throw OutputError("cannot write " + file->string() + ": it is named twice");
         check_writable(*file);
     }
+}
+
+WrittenImages write_images(const std::vector<fs::path>& outputs, const LayeredImage& image, const Metadata& metadata, bool interrupted) {
+    WrittenImages written;
+    for (const fs::path& file : outputs) {
+        const std::string name = photometric_word(file), shown = file.filename().string();
+        const auto is_it = [&](const ImageLayer& layer) { return layer.name == name; };
+        const bool missing = !name.empty() && std::none_of(image.layers.begin(), image.layers.end(), is_it);
+        if (missing && interrupted && image_format(file) == ImageFormat::png) {
+            written.warnings.push_back(fmt::format("{} is not written: interrupted before there was a layer {}", shown, name));
+            continue;
+        }
+        if (missing && image_format(file) == ImageFormat::exr)
+            written.warnings.push_back(interrupted ? fmt::format("{} has no layer {}: interrupted before there was one", shown, name)
+                                                   : fmt::format("{} has no layer {}: --aov {} makes it", shown, name, name));
+        const std::vector<std::string> warnings = write_image(file, image, metadata);
+        written.warnings.insert(written.warnings.end(), warnings.begin(), warnings.end());
+        written.files.push_back(file);
+    }
+    return written;
+}
+
+std::string interruption(const std::vector<fs::path>& written) {
+    return written.empty() ? "interrupted; nothing is written" : "interrupted; the partial result is written";
 }
 
 void check_film_memory(int width, int height, const std::vector<std::string>& aovs) {

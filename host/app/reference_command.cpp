@@ -8,7 +8,7 @@
 #include "app/message.h"
 #include "app/outputs.h"
 #include "app/reference_report.h"
-#include "image/colour.h"
+#include "render/photometric_layers.h"
 #include "scene/formats/load_scene.h"
 #include "scene/scene_fingerprint.h"
 #include "util/log.h"
@@ -51,17 +51,19 @@ ReferenceResult trace_with_progress(const Scene& scene, const ReferenceCommand& 
 }
 
 /// Photometric layers; illuminance is a trace of its own.
-void add_photometric_layers(const ReferenceCommand& command, const Scene& scene, ReferenceOptions options, ReferenceResult& result) {
-    const double lumens = command.lumens_per_watt == efficacy_of_scene ? standard_efficacy(scene.photometric) : command.lumens_per_watt;
-    if (has_group(command.aovs, luminance_layer))
-        result.layers.push_back({luminance_layer, 1, scaled_luminance(result.layers.front().pixels, lumens)});
-    if (!has_group(command.aovs, illuminance_layer) || result.interrupted) return;
-    options.irradiance = true;
-    options.bounces = options.surfaces = options.variance = false;
-    constexpr double pi = 3.14159265358979323846;
-    const ReferenceResult irradiance = trace_with_progress(scene, command, options);
-    result.interrupted = irradiance.interrupted;
-    result.layers.push_back({illuminance_layer, 1, scaled_luminance(irradiance.layers.front().pixels, pi * lumens)});
+void add_photometric(const ReferenceCommand& command, const Scene& scene, ReferenceReport& report) {
+    ReferenceResult& result = report.result;
+    const auto solve = [&]() -> IrradianceImage {
+        if (result.interrupted) return {{}, {}, true, true};
+        ReferenceOptions options = report.options;
+        options.irradiance = true;
+        options.bounces = options.surfaces = options.variance = false;
+        ReferenceResult found = trace_with_progress(scene, command, options);
+        return {std::move(found.layers), std::move(found.warnings), found.interrupted, true};
+    };
+    const IrradianceImage irradiance = add_photometric_layers(command.aovs, report.lumens_per_watt, solve, result.layers);
+    result.warnings.insert(result.warnings.end(), irradiance.warnings.begin(), irradiance.warnings.end());
+    result.interrupted = result.interrupted || irradiance.interrupted;
 }
 
 /// The layers come in groups; those that nobody asked for are dropped here.
@@ -69,7 +71,7 @@ bool is_wanted(const Layer& layer, const std::vector<std::string>& aovs) {
     return layer.name.empty() || has_group(aovs, is_bounce(layer.name) ? bounces_group : layer.name);
 }
 
-void write_images(ReferenceReport& report, const ReferenceCommand& command) {
+std::vector<std::filesystem::path> write_layers(ReferenceReport& report, const ReferenceCommand& command) {
     LayeredImage image{report.result.width, report.result.height, {}};
     for (const Layer& layer : report.result.layers) {
         if (is_wanted(layer, command.aovs)) {
@@ -78,7 +80,9 @@ void write_images(ReferenceReport& report, const ReferenceCommand& command) {
         }
     }
     const Metadata metadata = image_metadata(report, command, !command.stats.empty());
-    for (const std::filesystem::path& output : command.outputs) add_warnings(report, write_image(output, image, metadata));
+    const WrittenImages written = write_images(command.outputs, image, metadata, report.result.interrupted);
+    add_warnings(report, written.warnings);
+    return written.files;
 }
 
 }  // namespace
@@ -93,20 +97,22 @@ ExitCode run_reference(const ReferenceCommand& command) {
     add_warnings(report, scene.warnings);
     report.scene_fingerprint = scene_fingerprint(scene);
     report.options = options_for(command, scene);
+    report.lumens_per_watt = efficacy_of(command.lumens_per_watt, scene.photometric_lights > 0);
+    if (has_photometric(command.aovs)) add_warnings(report, mixed_lights(scene, command.lumens_per_watt));
     check_film_memory(report.options.width, report.options.height, command.aovs);
 
     report.result = trace_with_progress(scene, command, report.options);
-    add_photometric_layers(command, scene, report.options, report.result);
+    add_photometric(command, scene, report);
     add_warnings(report, report.result.warnings);
     report.total_seconds = total.seconds();
     const Stopwatch writing;
-    write_images(report, command);
+    const std::vector<std::filesystem::path> written = write_layers(report, command);
     report.write_seconds = writing.seconds();
     report.total_seconds = total.seconds();
     if (!command.stats.empty()) write_stats(command.stats, report, command);
-    if (!command.quiet) print_summary(std::cout, report, command.outputs);
+    if (!command.quiet) print_summary(std::cout, report, written);
     if (report.result.interrupted) {
-        print_error("interrupted; the partial result is written");
+        print_error(interruption(written));
         return ExitCode::interrupted;
     }
     return ExitCode::ok;

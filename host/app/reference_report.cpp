@@ -26,6 +26,7 @@ double per_second(std::uint64_t count, double seconds) { return seconds > 0 ? st
 Json all_options_json(const ReferenceReport& report, const ReferenceCommand& command) {
     ReferenceCommand used = command;
     used.options = report.options;
+    used.lumens_per_watt = report.lumens_per_watt;
     Json json = options_json(option_table(used));
     json["resolution"] = {report.options.width, report.options.height};
     json["defines"] = command.load.defines;
@@ -67,6 +68,7 @@ Metadata image_metadata(const ReferenceReport& report, const ReferenceCommand& c
     };
     ReferenceCommand used = command;
     used.options = report.options;
+    used.lumens_per_watt = report.lumens_per_watt;
     add_options(metadata, option_table(used));
     metadata["pencil:spp"] = report.result.spp;  // as traced, whatever was asked for
     for (const auto& [name, value] : command.load.defines) metadata["pencil:define:" + name] = value;

@@ -13,8 +13,9 @@ namespace pencil {
 
 struct ReferenceReport {
     std::string scene_fingerprint;
-    ReferenceOptions options;  // as used: depth and film size resolved
-    ReferenceResult result;    // its layers may have been moved away
+    ReferenceOptions options;    // as used: depth and film size resolved
+    ReferenceResult result;      // its layers may have been moved away
+    double lumens_per_watt = 0;  // as used
     std::vector<std::string> layers, warnings;
     double load_seconds = 0, write_seconds = 0, total_seconds = 0;
 };

@@ -8,6 +8,7 @@
 #include "app/message.h"
 #include "app/outputs.h"
 #include "app/run_report.h"
+#include "render/photometric_layers.h"
 #include "render/render_session.h"
 #include "scene/formats/load_scene.h"
 #include "scene/scene_fingerprint.h"
@@ -59,13 +60,15 @@ void take_result(RunReport& report, const RenderResult& result, Device& device) 
         if (!layer.name.empty()) report.layers.push_back(layer.name);
 }
 
-void write_images(RunReport& report, const RenderResult& result, const RenderCommand& command) {
+std::vector<std::filesystem::path> write_layers(RunReport& report, const RenderResult& result, const RenderCommand& command) {
     LayeredImage image{result.width, result.height, {}};
     std::transform(result.layers.begin(), result.layers.end(), std::back_inserter(image.layers), [](const Layer& layer) {
         return ImageLayer{layer.name, layer.channels, layer.pixels.data()};
     });
     const Metadata metadata = image_metadata(report, command, !command.stats.empty());
-    for (const std::filesystem::path& output : command.outputs) add_warnings(report, write_image(output, image, metadata));
+    const WrittenImages written = write_images(command.outputs, image, metadata, report.interrupted);
+    add_warnings(report, written.warnings);
+    return written.files;
 }
 
 }  // namespace
@@ -82,6 +85,7 @@ ExitCode run_render(const RenderCommand& command) {
     report.options = resolve(command.options, scene);
     report.width = report.options.width;
     report.height = report.options.height;
+    if (has_photometric(command.options.aovs)) add_warnings(report, mixed_lights(scene, command.options.lumens_per_watt));
     check_film_memory(report.width, report.height, report.options.aovs);
 
     const std::shared_ptr<Device> device = timed(report, "open device", [&] { return Device::open(command.device); });
@@ -96,14 +100,14 @@ ExitCode run_render(const RenderCommand& command) {
         return ExitCode::interrupted;
     }
     report.total_wall_seconds = total.seconds();
-    timed(report, "write images", [&] { write_images(report, result, command); });
+    const std::vector<std::filesystem::path> written = timed(report, "write images", [&] { return write_layers(report, result, command); });
 
     report.total_wall_seconds = total.seconds();
     if (!command.stats.empty()) write_stats(command.stats, report, command);
     if (command.explain) print_explanation(std::cout, report);
-    if (!command.quiet) print_summary(std::cout, report, command.outputs);
+    if (!command.quiet) print_summary(std::cout, report, written);
     if (report.interrupted) {
-        print_error("interrupted; the partial result is written");
+        print_error(interruption(written));
         return ExitCode::interrupted;
     }
     return report.stats.converged ? ExitCode::ok : ExitCode::not_converged;

@@ -9,6 +9,8 @@
 
 #include "app/commands.h"
 #include "app/interrupt.h"
+#include "app/message.h"
+#include "options/layer.h"
 #include "options/option_values.h"
 #include "stress/run_stress.h"
 #include "stress/stress_cases.h"
@@ -24,14 +26,13 @@ constexpr int schema = 1;
 /// Those asked for by name, or all quick ones, or all.
 std::vector<StressCase> chosen(const StressCommand& command) {
     std::vector<StressCase> rows;
-    std::vector<std::string> unknown = command.cases;
+    std::vector<std::string> names;
     for (StressCase& row : stress_cases()) {
-        const auto named = std::find(unknown.begin(), unknown.end(), row.name);
-        const bool wanted = command.cases.empty() ? row.quick || command.all : named != unknown.end();
-        if (named != unknown.end()) unknown.erase(named);
-        if (wanted) rows.push_back(std::move(row));
+        names.push_back(row.name);
+        if (command.cases.empty() ? row.quick || command.all : has_group(command.cases, row.name)) rows.push_back(std::move(row));
     }
-    if (!unknown.empty()) throw UsageError(fmt::format("no stress case \"{}\"; run without names to see them", unknown.front()));
+    for (const std::string& name : command.cases)
+        if (!has_group(names, name)) throw UsageError(fmt::format("no stress case \"{}\"; there are {}", name, join(names)));
     return rows;
 }
 
@@ -44,7 +45,11 @@ std::string interval_text(const Measurement& m) {
 void print_text(const StressResult& result) {
     std::cout << fmt::format("{:<13} {}: {}\n", to_string(result.verdict), result.row.name, result.row.scene);
     for (const Measurement& m : result.measured)
-        std::cout << fmt::format("{:>13} {} {:.6g}, expected {}\n", m.holds() ? "" : "not", m.what, m.value, interval_text(m));
+        std::cout << fmt::format("{:>13} {} {:.6g}, expected {}\n",
+                                 m.holds()                ? ""
+                                 : as_expected(result, m) ? "known"
+                                                          : "not",
+                                 m.what, m.value, interval_text(m));
     if (!result.error.empty()) std::cout << fmt::format("{:>13} ended by: {}\n", "", result.error);
     if (result.verdict == Verdict::known) std::cout << fmt::format("{:>13} why: {}\n", "", result.row.known);
     std::cout.flush();
@@ -80,28 +85,46 @@ void print_json(const std::vector<StressResult>& results, const Device& device) 
     std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
 }
 
+void print_table_head() { std::cout << "| case | scene | expected | measured | s | verdict |\n|---|---|---|---|---|---|\n"; }
+
+/// Runs until the end or an interruption, and prints what is to be printed after each case. Only what is finished.
+std::vector<StressResult> run_all(const StressCommand& command, const std::vector<StressCase>& rows,
+                                  const std::shared_ptr<Device>& device) {
+    const auto go_on = [](const std::string&, double) { return interrupted_by() == 0; };
+    std::vector<StressResult> results;
+    for (const StressCase& row : rows) {
+        if (interrupted_by() != 0) break;
+        StressResult result = run_case(row, device, go_on);
+        if (result.stopped) break;
+        results.push_back(std::move(result));
+        if (command.markdown) print_markdown(results.back());
+        if (!command.json && !command.markdown) print_text(results.back());
+    }
+    return results;
+}
+
+std::ptrdiff_t count_of(const std::vector<StressResult>& results, Verdict verdict) {
+    return std::count_if(
+        results.begin(), results.end(), [verdict](const StressResult& r) { return r.verdict == verdict; });
+}
+
 }  // namespace
 
 ExitCode run_stress(const StressCommand& command) {
     const std::vector<StressCase> rows = chosen(command);
     const std::shared_ptr<Device> device = Device::open(command.device);
-    const bool text = !command.json && !command.markdown;
-    if (command.markdown) std::cout << "| case | scene | expected | measured | s | verdict |\n|---|---|---|---|---|---|\n";
-    std::vector<StressResult> results;
-    for (const StressCase& row : rows) {
-        if (interrupted_by() != 0) return ExitCode::interrupted;
-        results.push_back(run_case(row, device));
-        if (command.markdown) print_markdown(results.back());
-        if (text) print_text(results.back());
-    }
-    const auto with = [&](Verdict v) {
-        return std::count_if(results.begin(), results.end(), [v](const auto& r) { return r.verdict == v; });
-    };
+    if (command.markdown) print_table_head();
+    const std::vector<StressResult> results = run_all(command, rows, device);
+    const std::ptrdiff_t failed = count_of(results, Verdict::fails);
     if (command.json) print_json(results, *device);
-    if (text)
-        std::cout << fmt::format("{} cases hold, {} fail, {} are known to fail\n", with(Verdict::holds), with(Verdict::fails),
-                                 with(Verdict::known));
-    return with(Verdict::fails) > 0 ? ExitCode::not_held : ExitCode::ok;
+    if (!command.json && !command.markdown)
+        std::cout << fmt::format("{} cases hold, {} fail, {} are known to fail\n", count_of(results, Verdict::holds), failed,
+                                 count_of(results, Verdict::known));
+    if (results.size() < rows.size()) {
+        print_error(fmt::format("interrupted after {} of {} cases", results.size(), rows.size()));
+        return ExitCode::interrupted;
+    }
+    return failed > 0 ? ExitCode::not_held : ExitCode::ok;
 }
 
 }  // namespace pencil

@@ -9,6 +9,8 @@ namespace {
 
 /// Intensity of a uniform sphere of radiance L and area A is L A / 4.
 constexpr double sphere_area = 4;
+/// Share of the paths that choose among lights alike: the strongest may be in another room.
+constexpr double even_share = 0.2;
 
 Emitter triangle_emitter(int triangle) {
     Emitter e{};
@@ -48,37 +50,72 @@ Emitter sky_emitter(int column, int row) {
     return e;
 }
 
+/// Emitters and their power: luminance of radiance times area [scene units^2]. A light has one or more of them.
+class Powers {
+public:
+    void add(const Emitter& emitter, double power, std::size_t light) {
+        if (!(power > 0)) return;
+        emitters.push_back(emitter);
+        powers_.push_back(power);
+        lights_.push_back(light);
+        total_ += power;
+        if (light >= of_light_.size()) of_light_.resize(light + 1, 0.0);
+        count_ += of_light_[light] == 0 ? 1 : 0;
+        of_light_[light] += power;
+    }
+    /// Chance of an emitter for each unit of its power.
+    double factor(std::size_t light) const {
+        if (light >= of_light_.size() || of_light_[light] == 0) return 0;
+        return (1 - even_share) / total_ + even_share / (static_cast<double>(count_) * of_light_[light]);
+    }
+    void write_chances() {
+        double up_to = 0;
+        for (std::size_t i = 0; i < emitters.size(); ++i) {
+            const double chance = powers_[i] * factor(lights_[i]);
+            emitters[i].chance = static_cast<float>(chance);
+            emitters[i].emission.w = static_cast<float>(up_to += chance);
+        }
+    }
+
+    std::vector<Emitter> emitters;
+
+private:
+    std::vector<double> powers_, of_light_;
+    std::vector<std::size_t> lights_;
+    double total_ = 0;
+    int count_ = 0;
+};
+
 }  // namespace
 
 EmitterTable tabulate_emitters(const Scene& scene, const FlatScene& flat) {
-    EmitterTable table;
-    std::vector<double> up_to;
-    const auto add = [&](const Emitter& emitter, double power) {
-        if (!(power > 0)) return;
-        table.emitters.push_back(emitter);
-        up_to.push_back(table.power += power);
-    };
+    Powers powers;
+    const auto radiance = [&](std::size_t row) { return luminance(glm::dvec3(flat.materials[row].emission)); };
     for (std::size_t i = 0; i < flat.triangles.size(); ++i) {
         const Triangle& t = flat.triangles[i];
-        add(triangle_emitter(static_cast<int>(i)),
-            luminance(glm::dvec3(flat.materials[static_cast<std::size_t>(t.material)].emission)) * glm::length(area_vector(t)));
+        powers.add(triangle_emitter(static_cast<int>(i)), radiance(static_cast<std::size_t>(t.material)) * glm::length(area_vector(t)),
+                   static_cast<std::size_t>(t.shape));
     }
+    auto light = static_cast<std::size_t>(flat.shape_count);
     for (std::size_t i = 0; i < scene.point_lights.size(); ++i) {
         const Emitter emitter = point_emitter(scene.point_lights[i], flat.profile_tables[i], flat.normalisation);
-        add(emitter, sphere_area * luminance(glm::dvec3(emitter.emission)));
+        powers.add(emitter, sphere_area * luminance(glm::dvec3(emitter.emission)), light++);
     }
-    table.sky_area = cross_section(flat);
-    for (const DirectionalLight& light : scene.directional_lights) {
-        const Emitter emitter = parallel_emitter(light, flat.normalisation);
-        add(emitter, table.sky_area * luminance(glm::dvec3(emitter.emission)));
+    const double sky_area = cross_section(flat);
+    for (const DirectionalLight& parallel : scene.directional_lights) {
+        const Emitter emitter = parallel_emitter(parallel, flat.normalisation);
+        powers.add(emitter, sky_area * luminance(glm::dvec3(emitter.emission)), light++);
     }
     for (std::size_t i = 0; i < flat.sky_texels.size(); ++i) {
         const int column = static_cast<int>(i) % flat.sky.width, row = static_cast<int>(i) / flat.sky.width;
-        add(sky_emitter(column, row), table.sky_area * sampled_texel_power(flat.sky, flat.sky_texels, i));
+        powers.add(sky_emitter(column, row), sky_area * sampled_texel_power(flat.sky, flat.sky_texels, i), light);
     }
-    for (std::size_t i = 0; i < up_to.size(); ++i) {
-        table.emitters[i].chance = static_cast<float>((up_to[i] - (i > 0 ? up_to[i - 1] : 0.0)) / table.power);
-        table.emitters[i].emission.w = static_cast<float>(up_to[i] / table.power);
+    powers.write_chances();
+    EmitterTable table{std::move(powers.emitters), {}, sky_area * powers.factor(light)};
+    for (std::size_t row = 0; row < flat.materials.size(); ++row) {
+        const int shape = flat.row_shapes[row];
+        const double density = shape < 0 ? 0 : radiance(row) * powers.factor(static_cast<std::size_t>(shape));
+        table.densities.push_back(static_cast<float>(density));
     }
     return table;
 }

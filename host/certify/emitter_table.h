@@ -10,9 +10,9 @@
 namespace pencil {
 
 struct EmitterTable {
-    std::vector<Emitter> emitters;  // triangles and point lights, chosen by power
-    double power = 0;               // of all: luminance of radiance times area [scene units^2]
-    double sky_area = 0;            // that the sky counts with, as do parallel lights with their irradiance [scene units^2]
+    std::vector<Emitter> emitters;  // triangles, point lights, parallel lights and texels of the sky, chosen mostly by power
+    std::vector<float> densities;   // by material: of chosen points of triangles [1/scene units^2]
+    double sky_density = 0;         // of chosen directions of the sky, for each unit of luminance above its limit [m^2 W^-1]
 };
 
 /// A point light counts with the power that a small sphere of its intensity has.

@@ -38,8 +38,8 @@ Mean mean_of(const std::vector<double>& values) {
 ErrorCheck::ErrorCheck(RenderContext& context) : context_(context) {
     const EmitterTable table = tabulate_emitters(context.scene, context.flat);
     lights_.count = static_cast<int>(table.emitters.size());
-    lights_.power = static_cast<float>(table.power);
-    lights_.sky_area = static_cast<float>(table.sky_area);
+    lights_.densities = Buffer<float>(context.kernels.device(), table.densities, "densities of emitters");
+    lights_.sky_density = static_cast<float>(table.sky_density);
     lights_.emitters =
         Buffer<Emitter>(context.kernels.device(), table.emitters.empty() ? std::vector<Emitter>(1) : table.emitters, "emitters");
 }

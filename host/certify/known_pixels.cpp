@@ -14,7 +14,7 @@ CertifiedError certify_pixels(const std::vector<PixelLooks>& looks, const std::v
         const PixelLooks& of = looks[pixel];
         if (of.count < 2) continue;
         const double n = of.count;
-        error.points += of.count;
+        error.points += of.count / 2;  // looks come in pairs
         double variance_of_step = 0;
         for (int c = 0; c < 3; ++c, ++values) {
             const double scale = relative_to(static_cast<double>(shown[3 * pixel + static_cast<std::size_t>(c)]), mean);

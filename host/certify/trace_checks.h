@@ -10,12 +10,12 @@ namespace pencil {
 
 /// Emitters in device memory.
 struct CheckLights {
-    auto list() const { return std::tie(emitters, count, power, sky_area); }
+    auto list() const { return std::tie(emitters, count, densities, sky_density); }
 
     Buffer<Emitter> emitters;
     int count = 0;
-    float power = 0;     // of EmitterTable,
-    float sky_area = 0;  // as this
+    Buffer<float> densities;  // as in EmitterTable,
+    float sky_density = 0;    // as this
 };
 
 /// One light path from each of `starts` (surfels, -1: none): radiance[3][starts] is what it finds that the surfel sends to the eye, emission

@@ -78,8 +78,7 @@ std::string build_log(const cl::Program& program, const cl::Device& device) {
 }  // namespace
 
 Launch ProgramCache::kernel(const std::string& name, const std::string& file, const Defines& defines) {
-    Defines all = defines;
-    all.emplace("PENCIL_WIDTH", std::to_string(device_->packet_width()));
+    const Defines& all = used(file, defines);
     const std::string options = build_options(all), key = file + " " + options;
     const auto program = programs_.find(key);
     const cl::Program& built = program != programs_.end() ? program->second : programs_.emplace(key, build(file, all)).first->second;
@@ -93,6 +92,22 @@ Launch ProgramCache::kernel(const std::string& name, const std::string& file, co
     auto& compiled = compiled_[key + " " + name];
     if (!compiled) compiled = std::make_shared<CompiledKernel>(CompiledKernel{read_parameters(kernel), {}});
     return Launch(device_, std::move(kernel), name, compiled);
+}
+
+/// The defines that the text of the program names: scenes that differ in others share its kernels.
+const Defines& ProgramCache::used(const std::string& file, const Defines& defines) {
+    Defines all = defines;
+    all.emplace("PENCIL_WIDTH", std::to_string(device_->packet_width()));
+    const auto [entry, is_new] = used_.try_emplace(file + " " + build_options(all));
+    if (!is_new) return entry->second;
+    const std::string source = program_source(file);
+    for (const auto& [name, value] : all) {
+        bool named = source.find(name) != std::string::npos;
+        for (std::size_t at = name.find('_'); at != std::string::npos && !named; at = name.find('_', at + 1))
+            named = source.find(name.substr(0, at + 1) + "##") != std::string::npos;  // put together by the preprocessor
+        if (named) entry->second.emplace(name, value);
+    }
+    return entry->second;
 }
 
 cl::Program ProgramCache::build(const std::string& file, const Defines& defines) {

@@ -90,6 +90,7 @@ public:
 
     /// The kernel `name` of the program `file` (kernel_source.h) with `defines`. Builds at first use: -cl-std=CL1.2 -Werror, no fast-math;
     /// a build failure is a DeviceError with device, options and the whole log. PENCIL_WIDTH is always defined.
+    /// Defines that the program does not name are left out: it is the same program without them.
     Launch kernel(const std::string& name, const std::string& file, const Defines& defines = {});
 
     const std::shared_ptr<Device>& device() const { return device_; }
@@ -97,9 +98,11 @@ public:
     std::vector<std::string> built() const;
 
 private:
+    const Defines& used(const std::string& file, const Defines& defines);
     cl::Program build(const std::string& file, const Defines& defines);
     std::shared_ptr<Device> device_;
     std::map<std::string, cl::Program> programs_;
+    std::map<std::string, Defines> used_;                              // by file and all defines that were given
     std::map<std::string, std::shared_ptr<CompiledKernel>> compiled_;  // by program and kernel name
 };
 

@@ -2,16 +2,10 @@
 #include <fmt/format.h>
 
 #include "converge/run_fields.h"
+#include "util/format.h"
 
 namespace pencil {
 namespace {
-
-/// Line breaks do not occur.
-std::string quoted(const std::string& text) {
-    std::string result = "\"";
-    for (const char c : text) result += c == '"' ? "\"\"" : std::string(1, c);
-    return result + "\"";
-}
 
 /// "film geometry=0.01;direct light=0.2"
 std::string join_stages(const RunPoint& point) {
@@ -29,7 +23,7 @@ std::string points_csv(const std::vector<RunPoint>& points) {
     for (const RunPoint& point : points) {
         text += fmt::format("{},{},{}", point.method, point.budget, point.seed);
         for (const RunField& field : run_fields) text += fmt::format(",{}", point.*field.value);
-        text += fmt::format(",{},{},{},{}\n", point.excluded_pixels, point.load, quoted(point.options), quoted(join_stages(point)));
+        text += fmt::format(",{},{},{},{}\n", point.excluded_pixels, point.load, csv_quoted(point.options), csv_quoted(join_stages(point)));
     }
     return text;
 }

@@ -88,8 +88,8 @@ Film::Film(Kernels& kernels, const Camera& camera, Receivers receivers)
     first_surfel_ = Buffer<int>(device, first, "first surfels");
 }
 
-void Film::receive() {
-    make_white(surfels_);
+void Film::receive(const std::vector<Material>& materials) {
+    make_white(surfels_, materials);
     has_empty_ = false;
 }
 

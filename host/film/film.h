@@ -27,8 +27,8 @@ public:
     /// A row of pixels that show the receivers of a sensor each; `camera` has as many columns.
     Film(Kernels& kernels, const Camera& camera, Receivers receivers);
 
-    /// All surfels become white receivers, before which nothing is seen.
-    void receive();
+    /// All surfels become white receivers (make_white), before which nothing is seen.
+    void receive(const std::vector<Material>& materials);
 
     const Surfels& surfels() const { return surfels_; }
     const Buffer<unsigned char>& counts() const { return counts_; }    // per pixel: surfels and FILM_HAS_EMPTY

@@ -33,7 +33,7 @@ std::unique_ptr<Film> make_film(RenderContext& context, const Turn& turn) {
         return std::make_unique<Film>(kernels, flat.camera, sensor_receivers(kernels, context.scene, flat, turn));
     auto film = std::make_unique<Film>(kernels, context.device_scene, FilmCamera{flat.camera, glm::vec3(flat.eye)},
                                        context.scene.sensor.filter, turn);
-    if (context.options.irradiance) film->receive();
+    if (context.options.irradiance) film->receive(context.flat.materials);
     return film;
 }
 

@@ -1,5 +1,6 @@
 #include "film/receivers.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "pencils/low_discrepancy.h"
@@ -10,9 +11,6 @@ namespace pencil {
 namespace {
 
 static_assert(sizeof(int) == sizeof(float), "surfels hold integers as the bits of floats");
-
-/// Beyond the rounding of coordinates, which are at most 2 [scene units].
-constexpr double before_surface = 2e-6;
 
 float bits_of(int value) {
     float bits = 0;
@@ -47,7 +45,24 @@ private:
 
 }  // namespace
 
-void make_white(Surfels& surfels) {
+void make_white(Surfels& surfels, const std::vector<Material>& materials) {
+    const auto count = static_cast<std::size_t>(surfels.count), capacity = static_cast<std::size_t>(surfels.capacity);
+    const auto has_relief = [&](float bits) {
+        int row = 0;
+        std::memcpy(&row, &bits, sizeof row);
+        return row != PENCIL_NO_MATERIAL && materials[static_cast<std::size_t>(row < 0 ? ~row : row)].normal_texture >= 0;
+    };
+    const bool some = std::any_of(materials.begin(), materials.end(), [](const Material& m) { return m.normal_texture >= 0; });
+    if (some) {
+        const std::vector<float> rows = surfels.data.read(SURFEL_MATERIAL * capacity, count);
+        for (std::size_t c = 0; c < 3; ++c) {
+            std::vector<float> normal = surfels.data.read((SURFEL_NX + c) * capacity, count);
+            const std::vector<float> flat = surfels.data.read((SURFEL_GX + c) * capacity, count);
+            for (std::size_t i = 0; i < count; ++i)
+                if (has_relief(rows[i])) normal[i] = flat[i];
+            surfels.data.write(normal, (SURFEL_NX + c) * capacity);
+        }
+    }
     Rows rows(surfels);
     for (int c = 0; c < 3; ++c) rows.write_all(SURFEL_ALBEDO_R + c, 1.0F);
     rows.write_all(SURFEL_MATERIAL, bits_of(PENCIL_NO_MATERIAL));
@@ -85,7 +100,7 @@ Receivers sensor_receivers(const Kernels& kernels, const Scene& scene, const Fla
         for (int c = 0; c < 3; ++c) rows.write_all(SURFEL_TR + c, 1.0F);
         rows.write_all(SURFEL_SHARE, -1.0F);
     }
-    make_white(receivers.surfels);
+    make_white(receivers.surfels, {});
     return receivers;
 }
 

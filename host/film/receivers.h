@@ -26,7 +26,8 @@ int count_receivers(const Scene& scene);
 /// At the sensors of the scene, in their order; on shapes at other points each turn. They lie a little before these, for many lie on surfaces.
 Receivers sensor_receivers(const Kernels& kernels, const Scene& scene, const FlatScene& flat, const Turn& turn);
 
-/// Surfels of what a camera sees become white receivers.
-void make_white(Surfels& surfels);
+/// Surfels of what a camera sees become white receivers. A meter that is laid on a relief does not follow its texture: there receivers face as
+/// the triangles do. materials: rows of the scene.
+void make_white(Surfels& surfels, const std::vector<Material>& materials);
 
 }  // namespace pencil

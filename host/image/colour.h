@@ -1,7 +1,10 @@
 // Linear sRGB as one number.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <vector>
 
 namespace pencil {
@@ -15,6 +18,18 @@ inline std::vector<float> scaled_luminance(const std::vector<float>& rgb, double
     for (std::size_t i = 0; i < values.size(); ++i)
         values[i] = static_cast<float>(factor * luminance({rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]}));
     return values;
+}
+
+/// Values that became infinite though the pixels of `rgb` that they were made of are finite: float's largest number instead. Returns their count.
+inline std::size_t clamp_to_float(const std::vector<float>& rgb, std::vector<float>& values) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const float* pixel = &rgb[3 * i];
+        if (!std::isinf(values[i]) || !std::all_of(pixel, pixel + 3, [](float v) { return std::isfinite(v); })) continue;
+        values[i] = std::copysign(std::numeric_limits<float>::max(), values[i]);
+        ++count;
+    }
+    return count;
 }
 
 }  // namespace pencil

@@ -110,6 +110,11 @@ std::vector<std::string> write_false_colours(const std::filesystem::path& path, 
     return found.values == 0 ? std::vector<std::string>{} : std::vector<std::string>{describe(found, path, false)};
 }
 
+std::string lower_case(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+    return text;
+}
+
 }  // namespace
 
 std::vector<std::string> channel_names(const ImageLayer& layer) {
@@ -141,8 +146,7 @@ NonFinite find_non_finite(const LayeredImage& image) {
 }
 
 ImageFormat image_format(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
+    const std::string extension = lower_case(path.extension().string());
     if (extension != ".exr" && extension != ".png")
         throw UsageError("cannot write " + path.string() + ": the extension must be .exr or .png");
     return extension == ".png" ? ImageFormat::png : ImageFormat::exr;
@@ -166,9 +170,13 @@ std::vector<unsigned char> encode_png(const LayeredImage& image) {
     return bytes;
 }
 
+std::string photometric_word(const std::filesystem::path& path) {
+    const std::string word = lower_case(path.stem().extension().string()), name = word.empty() ? word : word.substr(1);
+    return photometric_units().count(name) > 0 ? name : "";
+}
+
 std::string layer_of_name(const std::filesystem::path& path) {
-    const std::string word = path.stem().extension().string(), name = word.empty() ? word : word.substr(1);
-    return image_format(path) == ImageFormat::png && photometric_units().count(name) > 0 ? name : "";
+    return image_format(path) == ImageFormat::png ? photometric_word(path) : "";
 }
 
 std::vector<std::string> write_image(const std::filesystem::path& path, const LayeredImage& image, const Metadata& metadata) {

@@ -42,7 +42,9 @@ enum class ImageFormat { exr, png };
 /// By the extension, in any case. UsageError for others.
 ImageFormat image_format(const std::filesystem::path& path);
 
-/// The photometric layer that a PNG is of, by the word before its extension: "illuminance" of "room.illuminance.png"; empty: the beauty.
+/// The photometric layer named by the word before the extension, in any case: "illuminance" of "room.illuminance.exr"; empty: none.
+std::string photometric_word(const std::filesystem::path& path);
+/// The photometric layer that a PNG is of: its photometric_word; empty: the beauty.
 std::string layer_of_name(const std::filesystem::path& path);
 
 /// Writes an OpenEXR (.exr: all layers, linear float) or a PNG (.png: the beauty, exposure 1, clamped to [0, 1], sRGB curve, 8 bit;

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "film/layer_mean.h"
+#include "image/colour.h"
 #include "image/relative_error.h"
 #include "measure/sensor_film.h"
 #include "reference/path_tracer.h"
@@ -18,15 +19,18 @@ namespace {
 using Values = std::vector<double>;
 
 constexpr double pi = 3.14159265358979323846;
-/// Of the time, for direct light alone: it has no bounces to find.
-constexpr double direct_share = 0.15;
+/// Direct light alone goes on as long as all light does [s].
+constexpr double endless = 1e6;
+constexpr double unknown = std::numeric_limits<double>::infinity();
 /// Relative errors that neither spread nor check paths see: of sums in single precision, and of photometric files, whose tables are half floats.
 constexpr double rounding = 1e-5, table_rounding = 3e-4;
 
 /// Of each sensor [lx], 0 where the layer is missing.
 Values layer_values(const std::vector<Layer>& layers, const std::string& name, std::size_t sensors, double lumens_per_watt) {
     const auto found = std::find_if(layers.begin(), layers.end(), [&](const Layer& layer) { return layer.name == name; });
-    return found == layers.end() ? Values(sensors, 0.0) : pixel_luminances(found->pixels, pi * lumens_per_watt);
+    if (found == layers.end()) return Values(sensors, 0.0);
+    const std::vector<float> values = scaled_luminance(found->pixels, pi * lumens_per_watt);
+    return Values(values.begin(), values.end());
 }
 
 /// Standard errors of what the surface method says: the spread of its passes, and what they share, about which check paths know more. Of this
@@ -37,7 +41,7 @@ Values joined_errors(const Values& values, const Values& spread, const Certified
     double known = 0;  // relative square of the spread
     for (std::size_t i = 0; i < values.size(); ++i)
         if (mean > 0) known += spread[i] * spread[i] / relative_to(values[i], mean) / count;
-    if (passes < 2 && certified.points < 2) return Values(values.size(), std::numeric_limits<double>::infinity());
+    if (passes < 2 && certified.points < 2) return Values(values.size(), unknown);
     const double most = std::max(certified.relmse, 0.0) + interval_errors * certified.standard_error,
                  shared = certified.points > 1 ? std::max(most - known, 0.0) : 0.0;
     Values errors;
@@ -46,14 +50,40 @@ Values joined_errors(const Values& values, const Values& spread, const Certified
     return errors;
 }
 
+/// Of shapes, one pass and its check know a few places alone.
+void forget_shapes(const std::vector<Sensor>& sensors, Values& errors) {
+    for (std::size_t i = 0; i < sensors.size(); ++i)
+        if (sensors[i].place.shape >= 0) errors[i] = unknown;
+}
+
 std::vector<Illuminance> with_intervals(const Scene& scene, const Values& values, const Values& errors, const Values& direct) {
     const double unseen = scene.profiles.empty() ? rounding : table_rounding;
     std::vector<Illuminance> sensors;
     for (std::size_t i = 0; i < values.size(); ++i) {
         const double width = interval_errors * std::hypot(errors[i], unseen * values[i]);
-        sensors.push_back({values[i], std::max(values[i] - width, 0.0), values[i] + width, std::min(direct[i], values[i])});
+        sensors.push_back({values[i], std::max(values[i] - width, 0.0), values[i] + width, direct[i]});
     }
     return sensors;
+}
+
+/// Results of all light and of direct light alone.
+struct Solved {
+    RenderResult all, direct;
+};
+
+/// Both take their passes in turn, direct light first: what is interrupted has it at least.
+Solved solve(const Scene& scene, const RenderOptions& options, const std::shared_ptr<Device>& device, const Progress& progress) {
+    RenderOptions straight = options;
+    straight.bounces = 1;
+    straight.seconds = endless;
+    double done = 0;
+    const Progress of_all = [&](const std::string&stage, double fraction) { return !progress || progress(stage, done = fraction); },
+                   of_direct = [&](const std::string&stage, double) { return !progress || progress(stage, done); };
+    RenderSession all(scene, options, device, of_all), direct(scene, straight, device, of_direct);
+    do {
+        direct.advance();
+    } while (!direct.interrupted() && all.advance());
+    return {all.finish(), direct.finish()};
 }
 
 }  // namespace
@@ -65,24 +95,23 @@ Measurements measure(const Scene& scene, const std::vector<Sensor>& sensors, con
     all.method = MethodName::surface;
     all.aovs = {};
     all = resolve(all, measured);
-    RenderOptions straight = all;
-    straight.bounces = 1;
-    straight.seconds = direct_share * all.seconds;
-    all.seconds -= straight.seconds;
-    const RenderResult direct = render(measured, straight, device, progress);
-    const RenderResult result = direct.interrupted ? RenderResult() : render(measured, all, device, progress);
+    const Solved solved = solve(measured, all, device, progress);
+    const RenderStats& stats = solved.all.stats;
     Measurements found;
-    found.interrupted = direct.interrupted || result.interrupted;
-    found.passes = result.stats.passes;
-    found.certified = result.stats.certified;
-    found.warnings = result.stats.warnings;
-    if (result.layers.empty()) return found;
+    found.interrupted = solved.all.interrupted || solved.direct.interrupted;
+    found.passes = stats.passes;
+    found.certified = stats.certified;
+    found.warnings = stats.warnings;
+    found.converged = stats.converged;
+    if (solved.direct.layers.empty()) return found;
     const auto values_of = [&](const RenderResult& of, const char* layer) {
         return layer_values(of.layers, layer, sensors.size(), all.lumens_per_watt);
     };
-    const Values values = values_of(result, "");
-    const Values errors = joined_errors(values, values_of(result, error_layer), found.certified, found.passes);
-    found.sensors = with_intervals(scene, values, errors, values_of(direct, ""));
+    const Values direct = values_of(solved.direct, ""), values = solved.all.layers.empty() ? direct : values_of(solved.all, "");
+    Values errors = joined_errors(values, values_of(solved.all, error_layer), found.certified, found.passes);
+    if (found.passes < 2) forget_shapes(sensors, errors);
+    if (!found.converged) errors.assign(errors.size(), unknown);
+    found.sensors = with_intervals(scene, values, errors, direct);
     return found;
 }
 
@@ -100,7 +129,10 @@ Measurements measure_by_paths(const Scene& scene, const std::vector<Sensor>& sen
         if (layer.name == variance_layer)
             for (float& variance : layer.pixels) variance = std::sqrt(variance);
     const auto values_of = [&](const char* layer) { return layer_values(result.layers, layer, sensors.size(), lumens_per_watt); };
-    found.sensors = with_intervals(scene, values_of(""), values_of(variance_layer), values_of(direct_layer));
+    Values errors = values_of(variance_layer);
+    for (std::size_t i = 0; i < errors.size(); ++i)
+        if (result.sets[i] < 2) errors[i] = unknown;
+    found.sensors = with_intervals(scene, values_of(""), errors, values_of(direct_layer));
     return found;
 }
 

@@ -26,10 +26,11 @@ struct Measurements {
     CertifiedError certified;  // of it
     std::vector<std::string> warnings;
     bool interrupted = false;  // stopped early: the values are those of what was finished; none at all if `sensors` is empty
+    bool converged = true;     // false: reflections have no sum, so no value has an upper end; a warning says why
 };
 
-/// By the surface method, whatever `options` say; their film and layers have no meaning here. The time budget is divided between direct light
-/// alone and all light.
+/// By the surface method, whatever `options` say; their film and layers have no meaning here. Pass by pass, direct light alone is measured at the
+/// same places: what both share is not in their difference.
 Measurements measure(const Scene& scene, const std::vector<Sensor>& sensors, const RenderOptions& options,
                      const std::shared_ptr<Device>& device, const Progress& progress = {});
 

@@ -2,16 +2,20 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
+
+#include "scene/text.h"
+#include "util/format.h"
+
 namespace pencil {
 
 namespace {
 
-/// RFC 4180: quoted where a comma, a quote or a line break stands in it.
+/// Names come from scene files: no control characters, nothing that a spreadsheet would take for a formula, and quotes where they are needed.
 std::string field(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-    return quoted + "\"";
+    std::string safe = escaped(text);
+    if (!safe.empty() && std::string_view("=+-@").find(safe.front()) != std::string_view::npos) safe.insert(0, 1, '\'');
+    return safe.find_first_of(",\"") == std::string::npos ? safe : csv_quoted(safe);
 }
 
 std::string place_fields(const SensorPoint& place) {

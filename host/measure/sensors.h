@@ -9,6 +9,9 @@
 
 namespace pencil {
 
+/// Of one measurement, meters included: a film is at most so wide.
+constexpr std::size_t most_sensors = 1000000;
+
 struct Sensor {
     std::string name;
     SensorPoint place;
@@ -31,7 +34,7 @@ std::vector<SensorPoint> grid_points(const SensorGrid& grid);
 /// line may hold names. SceneError that names file and line.
 std::vector<SensorPoint> read_sensor_points(const std::filesystem::path& file);
 
-/// The points, numbered from 1 on, then the meters of the scene by their names. SceneError if one measures a shape that is not there.
+/// The points, numbered from 1 on, then the meters of the scene by their names, "meter 1" where a name is a number. SceneError if one measures a shape that is not there.
 std::vector<Sensor> all_sensors(const std::vector<SensorPoint>& points, const Scene& scene);
 
 }  // namespace pencil

@@ -30,6 +30,10 @@ const std::vector<std::string>& photometric_layers() {
     return layers;
 }
 
+bool has_photometric(const std::vector<std::string>& layers) {
+    return has_group(layers, illuminance_layer) || has_group(layers, luminance_layer);
+}
+
 std::string bounce_layer(int order) { return order == 1 ? direct_layer : fmt::format("bounce{}", order); }
 
 std::string tail_layer(int first_order) { return fmt::format("tail{}", first_order); }

@@ -32,6 +32,8 @@ const std::vector<std::string>& light_groups();
 const std::vector<std::string>& surface_groups();
 /// Beside those: illuminance and luminance.
 const std::vector<std::string>& photometric_layers();
+/// True if one of those is among `layers`.
+bool has_photometric(const std::vector<std::string>& layers);
 
 /// direct_layer for order 1, then "bounce2" and so on.
 std::string bounce_layer(int order);

@@ -96,14 +96,14 @@ Option seed_option(std::uint64_t& seed) {
 }
 
 Option list_option(const std::string& flag, std::vector<std::string>& chosen, const std::vector<std::string>& known,
-                   const std::string& standard, const std::string& help) {
+                   const std::string& standard, const std::string& help, const std::vector<std::string>& only_named) {
     return {flag,
             "A,B",
-            join(known) + ", or all, or none",
+            join(known) + ", or all" + (only_named.empty() ? "" : ", without " + join(only_named)) + ", or none",
             standard,
             help,
             "",
-            [&chosen, known](const std::string& text) { chosen = parse_list(text, known); },
+            [&chosen, known, only_named](const std::string& text) { chosen = parse_list(text, known, only_named); },
             [&chosen] { return OptionValue(chosen); }};
 }
 

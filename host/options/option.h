@@ -40,9 +40,9 @@ Option endless_option(const std::string& flag, int& value, int low, int high, co
 Option real_option(const std::string& flag, double& value, double low, bool low_included, double high, const std::string& help);
 Option resolution_option(int& width, int& height, const std::string& otherwise);
 Option seed_option(std::uint64_t& seed);
-/// Words out of `known`, separated by commas; `standard`: what `chosen` holds now, in words.
+/// Words out of `known`, separated by commas; `standard`: what `chosen` holds now, in words. "all" stands for those that are not `only_named`.
 Option list_option(const std::string& flag, std::vector<std::string>& chosen, const std::vector<std::string>& known,
-                   const std::string& standard, const std::string& help);
+                   const std::string& standard, const std::string& help, const std::vector<std::string>& only_named = {});
 /// `value` as one of `words`, which stand in the order of the enumeration.
 template <typename Enum>
 Option word_option(const std::string& flag, Enum& value, const std::vector<std::string>& words, const std::string& help) {

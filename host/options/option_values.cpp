@@ -63,19 +63,23 @@ std::pair<std::string, std::string> parse_define(const std::string& text) {
     return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
-std::vector<std::string> parse_list(const std::string& text, const std::vector<std::string>& known) {
-    if (text == "all") return known;
+std::vector<std::string> parse_list(const std::string& text, const std::vector<std::string>& known,
+                                    const std::vector<std::string>& only_named) {
+    const auto holds = [](const std::vector<std::string>& words, const std::string& word) {
+        return std::find(words.begin(), words.end(), word) != words.end();
+    };
     std::vector<std::string> wanted;
+    bool all = false;
     for (std::size_t start = 0; text != "none" && start <= text.size();) {
         const std::size_t comma = std::min(text.find(',', start), text.size());
         wanted.push_back(text.substr(start, comma - start));
-        if (std::find(known.begin(), known.end(), wanted.back()) == known.end())
-            reject(wanted.back(), "one of " + join(known) + ", or all, or none");
+        all = all || wanted.back() == "all";
+        if (wanted.back() != "all" && !holds(known, wanted.back())) reject(wanted.back(), "one of " + join(known) + ", or all, or none");
         start = comma + 1;
     }
     std::vector<std::string> ordered;
     std::copy_if(known.begin(), known.end(), std::back_inserter(ordered),
-                 [&](const std::string& name) { return std::find(wanted.begin(), wanted.end(), name) != wanted.end(); });
+                 [&](const std::string& name) { return holds(wanted, name) || (all && !holds(only_named, name)); });
     return ordered;
 }
 

@@ -17,8 +17,9 @@ double parse_real(const std::string& text, double low, bool low_included, double
 std::pair<int, int> parse_resolution(const std::string& text);
 /// "name=value".
 std::pair<std::string, std::string> parse_define(const std::string& text);
-/// "a,b", "all" or "none" to a list without duplicates, in the order of `known`.
-std::vector<std::string> parse_list(const std::string& text, const std::vector<std::string>& known);
+/// "a,b", "all", "all,c" or "none" to a list without duplicates, in the order of `known`. All are those that are not `only_named`.
+std::vector<std::string> parse_list(const std::string& text, const std::vector<std::string>& known,
+                                    const std::vector<std::string>& only_named = {});
 /// The position of `text` in `known`.
 std::size_t parse_choice(const std::string& text, const std::vector<std::string>& known);
 /// "a" or "a+b+c", each once, to their positions in `known`, in the order of the text.

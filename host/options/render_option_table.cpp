@@ -93,8 +93,8 @@ Option time_row(double& seconds) {
 Option lumens_row(double& lumens_per_watt) {
     Option row = real_option("--lumens-per-watt", lumens_per_watt, 0, false, most_efficacy,
                              "Lumens of a unit of power in the scene's lights: 1 where their numbers are photometric already");
-    row.standard =
-        fmt::format("{}, as in Radiance; with IES files or lights of glTF {}", standard_efficacy(false), standard_efficacy(true));
+    row.standard = fmt::format("{}, as in Radiance; with lights of glTF, or IES files without an intensity of their own, {}",
+                               standard_efficacy(false), standard_efficacy(true));
     return row;
 }
 
@@ -155,7 +155,8 @@ std::vector<Option> render_option_table(RenderOptions& o) {
         only(line, word_option("--iterate", o.iterate, iterations, "A new, smaller set for each bounce, or one set iterated")),
         resolution_option(o.width, o.height, "the scene's"),
         integer_option("--film-samples", o.film_samples, 1, 64, "Visibility samples of a pixel"),
-        list_option("--aov", o.aovs, all_layers(), "all but illuminance, luminance", "Layers beside the beauty, separated by commas"),
+        list_option("--aov", o.aovs, all_layers(), "all but illuminance, luminance", "Layers beside the beauty, separated by commas",
+                    photometric_layers()),
         lumens_row(o.lumens_per_watt),
         seed_option(o.seed),
     };

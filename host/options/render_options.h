@@ -49,6 +49,8 @@ constexpr double standard_target(bool lobes) { return lobes ? 4e-3 : 1e-3; }
 /// Lumens of a watt of radiance in the scene's rgb: what its lights were divided by if they were given in photometric units, else that of white
 /// light as Radiance has it.
 constexpr double standard_efficacy(bool photometric) { return photometric ? 683 : 179; }
+/// That, unless another was `asked` for.
+constexpr double efficacy_of(double asked, bool photometric) { return asked == efficacy_of_scene ? standard_efficacy(photometric) : asked; }
 constexpr int standard_pencils(MethodName method) { return method == MethodName::line ? 128 : 800; }
 
 }  // namespace pencil

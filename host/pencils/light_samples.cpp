@@ -1,6 +1,7 @@
 #include "pencils/light_samples.h"
 
 #include <algorithm>
+#include <glm/gtc/packing.hpp>
 #include <limits>
 #include <numeric>
 
@@ -42,9 +43,15 @@ glm::dvec3 radiance_at(const Scene& scene, const FlatScene& flat, const Triangle
     const auto mean = [&](const auto* corner) {
         return static_cast<float>(b.x) * corner[0] + static_cast<float>(b.y) * corner[1] + static_cast<float>(b.z) * corner[2];
     };
+    const auto index = static_cast<std::size_t>(shape.radiance_texture);
+    const TextureRow& row = flat.textures[index];
+    if (row.kind == TEXTURE_VERTEX_COLOURS) {
+        glm::vec4 colours[3];
+        for (std::size_t k = 0; k < 3; ++k) colours[k] = glm::unpackHalf4x16(flat.texels[static_cast<std::size_t>(row.first) + first + k]);
+        return glm::dvec3(shape.radiance) * glm::dvec3(mean(colours));
+    }
     const glm::vec2 uv = flat.uvs.empty() ? glm::vec2(0) : mean(flat.uvs.data() + first);
-    const Texture& texture = scene.textures[static_cast<std::size_t>(shape.radiance_texture)];
-    return glm::dvec3(shape.radiance) * glm::dvec3(look_up(texture, uv, glm::vec3(1)));
+    return glm::dvec3(shape.radiance) * glm::dvec3(look_up(scene.textures[index], uv, glm::vec3(1)));
 }
 
 struct ShapeTriangles {
@@ -57,7 +64,9 @@ struct ShapeTriangles {
     double weight(std::size_t t) const { return up_to[t] - (t > 0 ? up_to[t - 1] : 0.0); }
 };
 
-/// Share of the samples that goes by area: what none of the receivers sees may light others.
+/// Share of the samples that all shapes get alike.
+constexpr double even_share = 0.2;
+/// Share of a shape's samples that goes by area: what none of the receivers sees may light others.
 constexpr double share_by_area = 0.15;
 
 /// Light that a triangle would send to the receivers per area, if nothing stood between, in the mean.
@@ -123,8 +132,7 @@ std::vector<ShapeTriangles> emitting_shapes(const Scene& scene, const FlatScene&
         const auto shape = static_cast<std::size_t>(t.shape);
         if (!scene.shapes[shape].emits || forms[shape] != LightForm::samples) continue;
         if (emitters.empty() || emitters.back().shape != shape)
-            emitters.push_back(
-                {shape, luminance(glm::dvec3(mean_radiance(scene, scene.shapes[shape])) / flat.normalisation.light), 0, {}, {}});
+            emitters.push_back({shape, luminance(glm::dvec3(flat.materials[static_cast<std::size_t>(t.material)].emission)), 0, {}, {}});
         emitters.back().triangles.push_back(&t);
     }
     emitters.erase(std::remove_if(emitters.begin(), emitters.end(), [](const ShapeTriangles& e) { return !(e.luminance > 0); }),
@@ -237,12 +245,13 @@ std::vector<LightSample> sample_lights(const Scene& scene, const FlatScene& flat
     }
     // The sky's share of the samples is as if it lit the whole scene from outside.
     const double sky = sampled_sky_power(flat.sky, flat.sky_texels) * cross_section(flat);
-    // Each emitting shape gets samples in proportion to its power, at least one, spread over its triangles by area.
+    // Each emitting shape gets samples in proportion to its power, but for a share that all have alike, since the strongest may be in another
+    // room; at least one, spread over its triangles by area.
     std::vector<ShapeTriangles> emitters = emitting_shapes(scene, flat, forms, receivers);
     double total = sky;
     for (const ShapeTriangles& e : emitters) total += pi * e.area * e.luminance;
     for (const ShapeTriangles& e : emitters) {
-        const double share = pi * e.area * e.luminance / total;
+        const double share = (1 - even_share) * pi * e.area * e.luminance / total + even_share / static_cast<double>(emitters.size());
         const long own = std::max(std::lround(share * count), 1L);
         sample_shape(e, scene, flat, {own, hash64(seed) ^ e.shape, turn}, samples);
     }

@@ -27,6 +27,48 @@ std::size_t choose(const std::vector<double>& up_to, double& u) {
     return chosen;
 }
 
+std::vector<double> shape_powers(const RayScene& scene, const std::vector<double>& means) {
+    std::vector<double> powers(means.size(), 0.0);
+    for (const RayTriangle& t : scene.triangles()) powers[t.shape] += pi * area(t) * means[t.shape];
+    return powers;
+}
+
+glm::dvec3 intensity_of(const PointLight& light, const RayScene& scene) {
+    return glm::dvec3(light.intensity) / (scene.scale() * scene.scale()) / scene.light();
+}
+
+/// True if it does not send the same everywhere.
+bool is_shaped(const PointLight& light) { return light.is_spot || light.profile >= 0; }
+
+std::vector<double> point_powers(const Scene& scene, const RayScene& ray_scene) {
+    std::vector<double> powers;
+    for (const PointLight& light : scene.point_lights)
+        powers.push_back((is_shaped(light) ? lamp_extent(light, scene.profiles) : 4 * pi) * mean(intensity_of(light, ray_scene)));
+    return powers;
+}
+
+/// Share of the samples that all lights have alike: the strongest may be in another room.
+constexpr double even_share = 0.2;
+
+/// Chances of lights, mostly in proportion to their power.
+class LightChances {
+public:
+    LightChances(const std::vector<double>& shapes, const std::vector<double>& points) {
+        for (const std::vector<double>* powers : {&shapes, &points})
+            for (const double power : *powers) {
+                total_ += std::max(power, 0.0);
+                count_ += power > 0 ? 1 : 0;
+            }
+    }
+    bool empty() const { return count_ == 0; }
+    /// Chance for each unit of the power of a light that has so much in all.
+    double factor(double power) const { return (1 - even_share) / total_ + even_share / (count_ * power); }
+
+private:
+    double total_ = 0;
+    int count_ = 0;
+};
+
 }  // namespace
 
 Emitters::Emitters(const Scene& scene, RayScene& ray_scene) : ray_scene_(ray_scene), profiles_(scene.profiles) {
@@ -35,37 +77,33 @@ Emitters::Emitters(const Scene& scene, RayScene& ray_scene) : ray_scene_(ray_sce
 }
 
 void Emitters::add_finite(const Scene& scene) {
-    double total = 0;
     std::vector<double> means;  // of radiance, by shape
     for (const SurfaceEmission& e : ray_scene_.emission())
         means.push_back(mean(e.texture == no_texture ? e.radiance : e.radiance * mean_colour(ray_scene_.surfaces().texture(e.texture))));
+    const std::vector<double> of_shape = shape_powers(ray_scene_, means), of_point = point_powers(scene, ray_scene_);
+    const LightChances chances(of_shape, of_point);
+    far_share_ = far_up_to_.empty() ? 0 : chances.empty() ? 1 : 0.5;
+    environment_share_ *= static_cast<float>(far_share_);
+    double up_to = 0;
     for (std::size_t i = 0; i < ray_scene_.triangles().size(); ++i) {
         const RayTriangle& t = ray_scene_.triangles()[i];
         const double power = pi * area(t) * means[t.shape];
         if (!(power > 0)) continue;
         triangles_.push_back(static_cast<std::uint32_t>(i));
-        up_to_.push_back(total += power);
+        up_to_.push_back(up_to += power * chances.factor(of_shape[t.shape]));
     }
-    for (const PointLight& light : scene.point_lights) {
-        const glm::dvec3 intensity = glm::dvec3(light.intensity) / (ray_scene_.scale() * ray_scene_.scale()) / ray_scene_.light();
-        const bool shaped = light.is_spot || light.profile >= 0;
-        const double power = (shaped ? lamp_extent(light, scene.profiles) : 4 * pi) * mean(intensity);
-        if (!(power > 0)) continue;
-        points_.push_back({ray_scene_.to_scene(light.position), intensity, static_cast<float>(power), shaped ? &light : nullptr,
+    for (std::size_t i = 0; i < of_point.size(); ++i) {
+        if (!(of_point[i] > 0)) continue;
+        const PointLight& light = scene.point_lights[i];
+        const double chance = of_point[i] * chances.factor(of_point[i]);
+        points_.push_back({ray_scene_.to_scene(light.position), intensity_of(light, ray_scene_),
+                           static_cast<float>(chance * (1 - far_share_)), is_shaped(light) ? &light : nullptr,
                            glm::inverse(light.to_world)});
-        up_to_.push_back(total += power);
+        up_to_.push_back(up_to += chance);
     }
-    if (up_to_.empty()) {
-        far_share_ = far_up_to_.empty() ? 0 : 1;
-        environment_share_ *= static_cast<float>(far_share_);
-        return;
-    }
-    far_share_ = far_up_to_.empty() ? 0 : 0.5;
-    environment_share_ *= static_cast<float>(far_share_);
-    const double scale = (1 - far_share_) / total;
-    for (double& value : up_to_) value /= total;
-    for (PointEmitter& point : points_) point.probability *= static_cast<float>(scale);
-    for (std::size_t i = 0; i < means.size(); ++i) ray_scene_.emission()[i].light_density = static_cast<float>(pi * means[i] * scale);
+    for (std::size_t i = 0; i < means.size(); ++i)
+        if (of_shape[i] > 0)
+            ray_scene_.emission()[i].light_density = static_cast<float>(pi * means[i] * chances.factor(of_shape[i]) * (1 - far_share_));
 }
 
 void Emitters::add_far(const Scene& scene) {

@@ -20,7 +20,7 @@ struct EmitterSample {
     bool one_point = false, far_away = false;  // one_point: no other sample of this light is possible
 };
 
-/// Triangles and point lights, chosen in proportion to their power, uniformly by area within a triangle; and light from far away, by its flux.
+/// Triangles and point lights, chosen mostly in proportion to their power, uniformly by area within a triangle; and light from far away, by its flux.
 /// If there are both, each has half of the samples: how much of what is far away comes in is not known.
 class Emitters {
 public:
@@ -56,7 +56,7 @@ private:
     const std::vector<LightProfile>& profiles_;
     std::vector<std::uint32_t> triangles_;  // emitting ones, before the point lights in `up_to_`
     std::vector<PointEmitter> points_;
-    std::vector<double> up_to_;  // power of the emitters up to and with this one, the last is 1
+    std::vector<double> up_to_;  // chances of the emitters up to and with this one
     std::optional<EnvironmentLight> environment_;
     std::vector<FarEmitter> parallel_;
     std::vector<double> far_up_to_;  // parallel lights, then the environment

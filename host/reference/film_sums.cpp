@@ -38,7 +38,7 @@ FilmSums::FilmSums(int width, int height, const ReferenceOptions& options) : max
     total_.resize(pixels, glm::dvec3(0));
     ended_.resize(pixels, glm::dvec3(0));
     squares_.resize(pixels, glm::dvec3(0));
-    if (options.bounces) orders_.resize(static_cast<std::size_t>(orders_of(max_depth_)), std::vector<glm::vec3>(pixels, glm::vec3(0)));
+    if (options.bounces) orders_.resize(static_cast<std::size_t>(orders_of(max_depth_)), std::vector<glm::dvec3>(pixels, glm::dvec3(0)));
     if (options.surfaces) surfaces_.resize(pixels);
 }
 
@@ -46,7 +46,7 @@ void FilmSums::add(std::size_t pixel, const PathSums& paths, const SurfaceSums& 
     for (int k = 0; k < paths.orders; ++k) {
         const auto order = static_cast<std::size_t>(k);
         total_[pixel] += glm::dvec3(paths.radiance[order]);
-        if (!orders_.empty()) orders_[order][pixel] += paths.radiance[order];
+        if (!orders_.empty()) orders_[order][pixel] += glm::dvec3(paths.radiance[order]);
     }
     if (surfaces_.empty()) return;
     SurfaceSums& sums = surfaces_[pixel];
@@ -75,11 +75,11 @@ std::vector<Layer> FilmSums::layers(const std::vector<int>& samples, const std::
 /// Orders that no path has reached are left out, as `render` leaves out bounces that it did not compute.
 void FilmSums::add_light_layers(const std::vector<int>& samples, std::vector<Layer>& layers) const {
     for (std::size_t order = 0; order < orders_.size(); ++order) {
-        const std::vector<glm::vec3>& sums = orders_[order];
-        const bool empty = std::all_of(sums.begin(), sums.end(), [](const glm::vec3& v) { return v == glm::vec3(0); });
+        const std::vector<glm::dvec3>& sums = orders_[order];
+        const bool empty = std::all_of(sums.begin(), sums.end(), [](const glm::dvec3& v) { return v == glm::dvec3(0); });
         if (order > 1 && empty) continue;
         layers.push_back(make_layer(order_name(static_cast<int>(order), max_depth_), samples,
-                                    [&](std::size_t i) { return glm::dvec3(sums[i]) / static_cast<double>(samples[i]); }));
+                                    [&](std::size_t i) { return sums[i] / static_cast<double>(samples[i]); }));
     }
 }
 

@@ -35,8 +35,8 @@ private:
     int max_depth_;
     bool variance_;
     std::vector<glm::dvec3> total_;
-    std::vector<glm::dvec3> ended_, squares_;     // of ended sets: their sum, and the sum of (sum of a set)^2 / its samples
-    std::vector<std::vector<glm::vec3>> orders_;  // as PathSums::radiance, empty if not wanted
+    std::vector<glm::dvec3> ended_, squares_;      // of ended sets: their sum, and the sum of (sum of a set)^2 / its samples
+    std::vector<std::vector<glm::dvec3>> orders_;  // as PathSums::radiance, empty if not wanted
     std::vector<SurfaceSums> surfaces_;
 };
 

@@ -180,7 +180,9 @@ void PathIntegrator::trace_receiver(const RayHit& at, float weight, Sampler& sam
 void PathIntegrator::trace_received(const Ray& camera_ray, bool inside, float weight, Sampler& sampler, PathSums& sums) const {
     RayHit hit;
     ++sums.rays;
-    if (inside && scene_.intersect(camera_ray, hit)) trace_receiver(hit, weight, sampler, sums);
+    if (!inside || !scene_.intersect(camera_ray, hit)) return;
+    if (scene_.surfaces().has_relief(SurfaceTable::number(hit.material, hit.front))) hit.shading = hit.normal;
+    trace_receiver(hit, weight, sampler, sums);
 }
 
 void PathIntegrator::trace(const Ray& camera_ray, bool inside, float weight, Sampler& sampler, PathSums& sums, SurfaceSums* seen) const {

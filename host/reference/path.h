@@ -37,7 +37,8 @@ public:
     /// Adds `weight` times irradiance / pi at a point: what a white diffuse surface sends that is not there for anyone else. Of `at` its point,
     /// normals and offset count.
     void trace_receiver(const RayHit& at, float weight, Sampler& sampler, PathSums& sums) const;
-    /// The same of the first surface that a camera ray meets, if any.
+    /// The same of the first surface that a camera ray meets, if any: as a meter that is laid there faces. In scenes with relief that is as the
+    /// triangle does.
     void trace_received(const Ray& camera_ray, bool inside, float weight, Sampler& sampler, PathSums& sums) const;
 
 private:

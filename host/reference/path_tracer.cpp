@@ -183,6 +183,7 @@ private:
         result_.warnings = scale_light(scene_.light(), result_.layers);
         result_.estimated_error = film_.relative_mean_square_error(samples, sets);
         result_.spp = fewest;
+        result_.sets = std::move(sets);
         result_.rays = rays_;
         result_.interrupted = reporter_.stopped();
         warn(fewest_sets);
@@ -197,9 +198,11 @@ private:
             result_.warnings.push_back(
                 std::to_string(cut_) +
                 " paths were ended although they had lost hardly any light: the image is too dark; is some albedo 1?");
-        if (result_.spp == 0) result_.warnings.push_back("interrupted before every pixel had a path: those without are black");
+        const bool pixels = sensors_.empty();
+        if (pixels && result_.spp == 0) result_.warnings.push_back("interrupted before every pixel had a path: those without are black");
         if (options_.variance && fewest_sets < 2)
-            result_.warnings.push_back("the variance needs at least two paths per pixel; it is 0 where there are fewer");
+            result_.warnings.push_back(pixels ? "the variance needs at least two paths per pixel; it is 0 where there are fewer"
+                                              : "some sensors have a single path: nothing is known of their errors; give more --time");
     }
 
     ReferenceOptions options_;

@@ -18,6 +18,7 @@ struct ReferenceResult {
     int width = 0, height = 0;
     std::vector<Layer> layers;  // beauty first
     int spp = 0;                // camera paths that every pixel has
+    std::vector<int> sets;      // of each pixel: independent sets of paths, two of which tell a variance
     std::uint64_t paths = 0, rays = 0;
     double estimated_error = 0;  // relMSE of the beauty, from the spread of independent sets of paths; infinite if there are too few
     double trace_seconds = 0, build_seconds = 0;  // wall clock: tracing; normalising the scene and building the BVH

@@ -20,7 +20,7 @@ bool passes(const SurfaceSide& side) {
 SurfaceTable::SurfaceTable(const Scene& scene) : textures_(scene.textures), sides_(2 * scene.materials.size()) {
     for (std::size_t i = 0; i < scene.materials.size(); ++i) sides_[2 * i] = front_of(scene.materials[i]);
     for (std::size_t i = 0; i < scene.materials.size(); ++i) sides_[2 * i + 1] = back_of(scene.materials[i], sides_[2 * i]);
-    for (SurfaceSide& side : sides_) may_pass_ = may_pass_ || side.may_pass;
+    for (const SurfaceSide& side : sides_) may_pass_ = may_pass_ || side.may_pass;
     plain_ = std::all_of(scene.materials.begin(), scene.materials.end(), plain_material) &&
              std::all_of(scene.shapes.begin(), scene.shapes.end(), [](const Shape& s) { return s.radiance_texture == no_texture; });
 }
@@ -78,6 +78,11 @@ float SurfaceTable::blend_weight(const SurfaceSide& side, const TexturePoint& po
     if (m.weight_texture == no_texture) return m.weight;
     const glm::vec4 value = look_up(texture(m.weight_texture), point.uv, point.colour);
     return std::clamp(m.weight * (m.weight_is_opacity ? value.w : value.x), 0.0F, 1.0F);
+}
+
+bool SurfaceTable::has_relief(std::size_t number) const {
+    const SurfaceSide& of = side(number);
+    return of.relief || (of.blend() && (has_relief(of.blended[0]) || has_relief(of.blended[1])));
 }
 
 }  // namespace pencil

@@ -37,6 +37,8 @@ public:
     /// All materials are diffuse and of one colour, and so are emitters.
     bool plain() const { return plain_; }
     bool may_pass() const { return may_pass_; }
+    /// The shading normal of this side, or of what it is blended from, is turned by a texture.
+    bool has_relief(std::size_t number) const;
 
     const Texture& texture(int index) const { return textures_[static_cast<std::size_t>(index)]; }
     /// The material at a point.

@@ -12,6 +12,7 @@
 #include "render/methods.h"
 #include "render/photometric_layers.h"
 #include "util/error.h"
+#include "util/stopwatch.h"
 
 namespace pencil {
 
@@ -49,7 +50,7 @@ RenderOptions resolve(const RenderOptions& options, const Scene& scene) {
     if (complete.pencils == pencils_of_method) complete.pencils = standard_pencils(complete.method);
     // max_depth counts the emitter as the first vertex of a path.
     if (complete.bounces == bounces_of_scene) complete.bounces = scene.max_depth < 0 ? endless_bounces : std::max(scene.max_depth - 1, 0);
-    if (complete.lumens_per_watt == efficacy_of_scene) complete.lumens_per_watt = standard_efficacy(scene.photometric);
+    complete.lumens_per_watt = efficacy_of(complete.lumens_per_watt, scene.photometric_lights > 0);
     if (!scene.sensor_points.empty()) {
         complete.width = static_cast<int>(scene.sensor_points.size());
         complete.height = complete.film_samples = 1;
@@ -127,7 +128,18 @@ RenderResult render(const Scene& scene, const RenderOptions& options, const std:
         return session.finish();
     };
     RenderResult result = solve(options);
-    add_photometric_layers(options, resolve(options, scene).lumens_per_watt, solve, result);
+    const auto solve_irradiance = [&] {
+        if (result.interrupted) return IrradianceImage{{}, {}, true, true};
+        const Stopwatch watch;
+        RenderResult found = solve(irradiance_options(options));
+        result.stats.stages.push_back({illuminance_layer, watch.seconds(), 0, 0, {}});
+        return IrradianceImage{std::move(found.layers), std::move(found.stats.warnings), found.interrupted, found.stats.converged};
+    };
+    const IrradianceImage irradiance =
+        add_photometric_layers(options.aovs, resolve(options, scene).lumens_per_watt, solve_irradiance, result.layers);
+    result.stats.warnings.insert(result.stats.warnings.end(), irradiance.warnings.begin(), irradiance.warnings.end());
+    result.stats.converged = result.stats.converged && irradiance.converged;
+    result.interrupted = result.interrupted || irradiance.interrupted;
     return result;
 }
 

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/texture_lookup.h"
+
 namespace pencil {
 
 namespace {
 
-double largest(const glm::vec3& rgb) { return static_cast<double>(std::max({rgb.x, rgb.y, rgb.z})); }
+double largest(const glm::dvec3& rgb) { return std::max({rgb.x, rgb.y, rgb.z}); }
 
 /// Of the box about all points and point lights [world units]; 1 if it is a point.
 double extent(const Scene& scene) {
@@ -34,7 +36,7 @@ double strongest(const Environment& environment) {
 double light_unit(const Scene& scene) {
     double strength = scene.environment ? strongest(*scene.environment) : 0.0;
     for (const Shape& shape : scene.shapes)
-        if (shape.emits) strength = std::max(strength, largest(shape.radiance));
+        if (shape.emits) strength = std::max(strength, largest(mean_radiance(scene, shape)));
     for (const DirectionalLight& light : scene.directional_lights) strength = std::max(strength, largest(light.irradiance));
     const double width = scene.point_lights.empty() ? 1.0 : extent(scene);
     for (const PointLight& light : scene.point_lights) strength = std::max(strength, largest(light.intensity) / width / width);

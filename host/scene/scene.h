@@ -181,8 +181,8 @@ struct Scene {
     PerspectiveSensor sensor;
     std::vector<SensorPoint> sensor_points;  // the film, a pixel each in a row, instead of what `sensor` sees
     std::vector<IrradianceMeter> meters;
-    bool photometric = false;  // some light was given in lumens, candela or lux: 683 of them are a watt
-    int max_depth = -1;        // 1: emission only, 2: plus direct light, -1: no limit
+    int photometric_lights = 0;  // lights that were given in lumens, candela or lux: 683 of them are a watt
+    int max_depth = -1;          // 1: emission only, 2: plus direct light, -1: no limit
     std::vector<std::string> warnings;
 };
 

@@ -10,6 +10,9 @@
 
 namespace pencil {
 
+/// Sensors are moved so far from their places, beyond the rounding of coordinates, which are at most 2: many lie on surfaces [scene units].
+constexpr double before_surface = 2e-6;
+
 struct SensorPlace {
     glm::dvec3 position, normal;  // [world units], unit
 };

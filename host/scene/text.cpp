@@ -73,6 +73,16 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
+std::string_view first_statement(std::string_view head) {
+    while (!head.empty()) {
+        const std::size_t end = std::min(head.find('\n'), head.size());
+        const std::string_view line = trimmed(head.substr(0, end));
+        if (!line.empty() && line[0] != '#') return line;
+        head.remove_prefix(std::min(end + 1, head.size()));
+    }
+    return {};
+}
+
 std::vector<std::string_view> tokens(std::string_view text) {
     constexpr std::string_view separators = " \t\r\n\f\v,";
     std::vector<std::string_view> result;

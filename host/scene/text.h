@@ -16,6 +16,8 @@ std::string in_quotes(std::string_view text);
 bool is_utf8(std::string_view text);
 
 std::string_view trimmed(std::string_view text);
+/// The first line that is neither empty nor a comment after #, trimmed.
+std::string_view first_statement(std::string_view text);
 /// Splits at blanks and commas, as Mitsuba does; no empty tokens.
 std::vector<std::string_view> tokens(std::string_view text);
 

@@ -5,6 +5,8 @@
 #include <glm/gtc/packing.hpp>
 #include <memory>
 
+#include "image/colour.h"
+
 namespace pencil {
 namespace {
 
@@ -49,8 +51,6 @@ struct Patch {
     }
 };
 
-float luminance(const glm::vec4& c) { return 0.212671F * c.x + 0.715160F * c.y + 0.072169F * c.z; }
-
 /// Coordinates whose squares fit an int: others have no place in the image.
 bool sane(const glm::dvec2& uv, const Texture& texture) {
     const double x = std::abs(uv.x) * texture.width, y = std::abs(uv.y) * texture.height;
@@ -77,9 +77,10 @@ glm::vec2 look_up_slope(const Texture& texture, const glm::vec2& uv) {
     const glm::dvec2 p = transformed(texture, uv);
     if (texture.kind != Texture::Kind::bitmap || texture.texels.empty() || !sane(p, texture)) return glm::vec2(0.0F);
     const Patch patch(texture, p);
-    const float y00 = luminance(patch.t00), y10 = luminance(patch.t10), y01 = luminance(patch.t01), y11 = luminance(patch.t11);
-    const glm::dvec2 slope(texture.width * static_cast<double>(glm::mix(y10 - y00, y11 - y01, patch.f.y)),
-                           texture.height * static_cast<double>(glm::mix(y01 - y00, y11 - y10, patch.f.x)));
+    const auto height = [](const glm::vec4& texel) { return luminance(glm::dvec3(texel)); };
+    const double y00 = height(patch.t00), y10 = height(patch.t10), y01 = height(patch.t01), y11 = height(patch.t11);
+    const glm::dvec2 f(patch.f),
+        slope(texture.width * glm::mix(y10 - y00, y11 - y01, f.y), texture.height * glm::mix(y01 - y00, y11 - y10, f.x));
     const glm::dmat2 inner(texture.to_uv);  // the chain rule: by column, what u and v change
     return glm::vec2(glm::dot(inner[0], slope), glm::dot(inner[1], slope));
 }
@@ -93,9 +94,10 @@ glm::vec3 mean_colour(const Texture& texture) {
     return glm::vec3(sum / static_cast<double>(texture.texels.size()));
 }
 
-glm::vec3 mean_radiance(const Scene& scene, const Shape& shape) {
-    if (shape.radiance_texture == no_texture) return shape.radiance;
-    return shape.radiance * mean_colour(scene.textures[static_cast<std::size_t>(shape.radiance_texture)]);
+glm::dvec3 mean_radiance(const Scene& scene, const Shape& shape) {
+    const glm::dvec3 radiance(shape.radiance);
+    if (shape.radiance_texture == no_texture) return radiance;
+    return radiance * glm::dvec3(mean_colour(scene.textures[static_cast<std::size_t>(shape.radiance_texture)]));
 }
 
 }  // namespace pencil

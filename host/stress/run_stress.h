@@ -18,14 +18,18 @@ struct StressResult {
     StressCase row;
     std::vector<Measurement> measured;  // the time the last of them
     std::string error;                  // that ended it, empty if none did
-    double seconds = 0;                 // without kernel builds
+    double seconds = 0;                 // without kernel builds; of wall clock and processor time the lesser: others may use the machine
     Verdict verdict = Verdict::fails;
+    bool stopped = false;  // by `progress`: there is no verdict
 };
 
 /// "holds", "FAILS", "fails, known".
 std::string to_string(Verdict verdict);
 
-/// What ends a case with an error is part of the result, and so is what takes too long.
-StressResult run_case(const StressCase& row, const std::shared_ptr<Device>& device);
+/// What ends a case with an error is part of the result, and so is what takes too long. A reason that is known excuses only what it is about.
+StressResult run_case(const StressCase& row, const std::shared_ptr<Device>& device, const Progress& progress = {});
+
+/// Holds, or does not for the reason that is known of the row.
+bool as_expected(const StressResult& result, const Measurement& m);
 
 }  // namespace pencil

@@ -6,6 +6,18 @@
 
 namespace pencil {
 
+RenderResult render(const Scene& scene, const RenderOptions& options, const StressRun& run) {
+    RenderResult result = render(scene, options, run.device, run.progress);
+    if (result.interrupted) throw StressStopped();
+    return result;
+}
+
+ReferenceResult trace_paths(const Scene& scene, const ReferenceOptions& options, const StressRun& run) {
+    ReferenceResult result = trace_paths(scene, options, run.progress);
+    if (result.interrupted) throw StressStopped();
+    return result;
+}
+
 RenderOptions stress_options(MethodName method) {
     RenderOptions options;
     options.method = method;

@@ -2,10 +2,19 @@
 #pragma once
 
 #include "options/render_options.h"
+#include "reference/path_tracer.h"
 #include "render/render_session.h"
 #include "scene/scene.h"
+#include "stress/stress_case.h"
 
 namespace pencil {
+
+/// Thrown where a run was stopped: half an image is not judged.
+struct StressStopped {};
+
+/// Renders with what the case is run with. StressStopped.
+RenderResult render(const Scene& scene, const RenderOptions& options, const StressRun& run);
+ReferenceResult trace_paths(const Scene& scene, const ReferenceOptions& options, const StressRun& run);
 
 /// No layers but the beauty, and few passes: cases are about extremes, not about noise.
 RenderOptions stress_options(MethodName method);

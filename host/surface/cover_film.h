@@ -6,8 +6,8 @@
 
 namespace pencil {
 
-/// Of the surfels whose byte in uncovered[capacity] is 1, leaves it where no pencil of the lattice points about the surfel's pixel has a
-/// reuse_error of at most most_error, and clears it elsewhere.
+/// uncovered[capacity]: 1 for surfels where no pencil of the lattice points about their pixel has a reuse_error of at most most_error, 0 for
+/// the others.
 void cover_film(Kernels& kernels, const FilmSurfels& film, const PencilLattice& lattice, float most_error,
                 Buffer<unsigned char>& uncovered);
 

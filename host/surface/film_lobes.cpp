@@ -34,28 +34,37 @@ std::vector<int> surfels_with_lobes(const Surfels& surfels, const std::vector<Ma
     return found;
 }
 
-std::vector<int> repeated(const std::vector<int>& values, int times) {
+/// Chains that are followed at once, about: bounds memory (30 MB) and the length of a launch.
+constexpr std::size_t chunk_chains = std::size_t{1} << 18;
+
+/// Some of the surfels, each `times` times.
+std::vector<int> repeated(const std::vector<int>& surfels, std::size_t first, std::size_t count, int times) {
     std::vector<int> all;
-    all.reserve(values.size() * static_cast<std::size_t>(times));
-    for (const int value : values) all.insert(all.end(), static_cast<std::size_t>(times), value);
+    all.reserve(count * static_cast<std::size_t>(times));
+    for (std::size_t i = first; i < first + count; ++i) all.insert(all.end(), static_cast<std::size_t>(times), surfels[i]);
     return all;
 }
 
 }  // namespace
 
-void add_film_lobes(RenderContext& context, Frame& frame, SurfaceSolver& solver, double film_rays, bool drawn) {
+void add_film_lobes(RenderContext& context, Frame& frame, SurfaceSolver& solver, const FilmLobes& lobes) {
     const Surfels& surfels = frame.film().surfels();
     const std::vector<int> with_lobes = surfels_with_lobes(surfels, context.flat.materials);
     if (with_lobes.empty()) return;
     const auto& device = context.kernels.device();
-    if (const int count = frame.lights().maps.count; count > 0 && !drawn)
+    const int shared = chains_per_surfel(lobes.film_rays, with_lobes.size());
+    const std::size_t chunk = std::max(chunk_chains / static_cast<std::size_t>(shared), std::size_t{1});
+    for (std::size_t first = 0; first < with_lobes.size(); first += chunk) {
+        const std::size_t count = std::min(chunk, with_lobes.size() - first);
+        const Buffer<int> starts(device, repeated(with_lobes, first, count, shared), "starts of chains");
+        const Chains chains = solver.follow(surfels, starts, shared);
+        add_reflections(context.kernels, chains, solver.radiance(chains.ends), starts, shared, lobes.before, surfels.capacity,
+                        frame.outgoing());
+    }
+    // After the chains, which look at what film pencils have added.
+    if (frame.lights().maps.count > 0 && !lobes.drawn)
         light_lobes(context.kernels, context.device_scene, surfels, Buffer<int>(device, with_lobes, "surfels with lobes"), frame.lights(),
                     frame.outgoing());
-    const int shared = chains_per_surfel(film_rays, with_lobes.size());
-    const Buffer<int> starts(device, repeated(with_lobes, shared), "starts of chains");
-    Surfels chains(context.kernels, static_cast<int>(starts.size()), "ends of chains");
-    const Buffer<float> radiance = solver.follow(surfels, starts, shared, chains);
-    add_reflections(context.kernels, radiance, chains, starts, shared, surfels.capacity, frame.outgoing());
 }
 
 }  // namespace pencil

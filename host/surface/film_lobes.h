@@ -6,8 +6,13 @@
 
 namespace pencil {
 
-/// Adds to the frame's outgoing() light samples on lobes, unless `drawn`: packets have drawn them (sample_lights), and chains that follow lobes, in
-/// number a share of the rays of the film's pencils.
-void add_film_lobes(RenderContext& context, Frame& frame, SurfaceSolver& solver, double film_rays, bool drawn);
+struct FilmLobes {
+    const Buffer<float>& before;  // the frame's outgoing() without the light of film pencils
+    double film_rays;             // of their texels: chains are a share of them
+    bool drawn;                   // packets have drawn light samples, also for lobes (sample_lights)
+};
+
+/// Adds to the frame's outgoing() what chains find, and light samples on lobes unless they were drawn.
+void add_film_lobes(RenderContext& context, Frame& frame, SurfaceSolver& solver, const FilmLobes& lobes);
 
 }  // namespace pencil

@@ -99,11 +99,9 @@ void FilmPencils::place(const std::vector<int>& pixels, int spacing) {
 /// Surfels that the lattice down to `spacing` leaves uncovered.
 std::vector<unsigned char> FilmPencils::uncovered(int spacing) {
     const Surfels& surfels = film_.surfels();
-    if (uncovered_.empty())
-        uncovered_ = Buffer<unsigned char>(kernels_.device(), std::vector<unsigned char>(static_cast<std::size_t>(surfels.capacity), 1),
-                                           "uncovered surfels");
-    cover_film(kernels_, film_surfels(), lattice(spacing), lattice_.most_error, uncovered_);
-    return uncovered_.read(0, static_cast<std::size_t>(surfels.count));
+    Buffer<unsigned char> uncovered(kernels_.device(), static_cast<std::size_t>(surfels.capacity), "uncovered surfels");
+    cover_film(kernels_, film_surfels(), lattice(spacing), lattice_.most_error, uncovered);
+    return uncovered.read(0, static_cast<std::size_t>(surfels.count));
 }
 
 /// New lattice points, at half the spacing, of all cells that hold uncovered surfels.
@@ -131,12 +129,12 @@ void FilmPencils::refine(SurfaceSolver& solver, const TexelPoints& points) {
     if (has_lattice()) refine_lattice(solver, points);
     if (solver.stopped()) return;
     place_singles(has_lattice() ? uncovered(finest_) : std::vector<unsigned char>(static_cast<std::size_t>(film_.surfels().count), 1));
-    solver.gather(singles_, 0, singles_.count, points);
+    solver.gather(singles_, 0, singles_.count, points, Reach::own);
 }
 
 void FilmPencils::refine_lattice(SurfaceSolver& solver, const TexelPoints& points) {
     const auto gather = [&](int spacing) {
-        solver.gather(pencils_, gathered_, pencils_.count - gathered_, points);
+        solver.gather(pencils_, gathered_, pencils_.count - gathered_, points, Reach::others);
         limit_reuse(kernels_, pencils_, pencil_at_, spacing, gathered_, film_.width(), film_.height());
         gathered_ = pencils_.count;
     };

@@ -42,6 +42,10 @@ public:
     void refine(SurfaceSolver& solver, const TexelPoints& points);
 
     int count() const { return pencils_.count + singles_.count; }
+    /// Of all texels.
+    double rays() const {
+        return static_cast<double>(pencils_.count) * pencils_.texels() + static_cast<double>(singles_.count) * singles_.texels();
+    }
 
     /// Adds reflected irradiance to the surfels of the film.
     void project(Buffer<float>& outgoing);
@@ -65,9 +69,8 @@ private:
     std::vector<int> at_;    // pencil by pixel, -1: none
     Buffer<int> pencil_at_;  // the same on the device
     SurfacePencils pencils_;
-    Buffer<unsigned char> uncovered_;  // by surfel
-    SurfacePencils singles_;           // of surfels that the finest lattice leaves uncovered
-    Buffer<int> single_at_;            // by surfel, -1: none
+    SurfacePencils singles_;  // of surfels that the finest lattice leaves uncovered
+    Buffer<int> single_at_;   // by surfel, -1: none
     int gathered_ = 0;
 };
 

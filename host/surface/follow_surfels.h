@@ -20,12 +20,18 @@ struct ChainLights {
     auto list() const { return std::tie(first.near, next.near, first.sky, next.sky); }
 };
 
+/// Where chains that start on the film end, with what they carry, and what each counts beside even light (follow_surfels.cl).
+struct Chains {
+    Surfels ends;
+    Buffer<float> uneven;
+};
+
 /// Surfels from number `first` on that have lobes become what chains along these end on, or stop where they are.
 void follow_surfels(Kernels& kernels, const DeviceScene& scene, const ChainLights& lights, int first, uint seed, Surfels& surfels);
 
-/// The same for chains that all take a first step along the lobes of surfels `starts` of `from`, of which `shared` one after the other are the
-/// same: their first steps are spread over its lobes.
-void follow_surfels(Kernels& kernels, const DeviceScene& scene, const Surfels& from, const Buffer<int>& starts, int shared,
-                    const ChainLights& lights, uint seed, Surfels& surfels);
+/// Chains that all take a first step from surfels `starts` of `from`, of which `shared` one after the other are the same: their first steps are
+/// spread over its lobes, and over what its base scatters otherwise than evenly.
+Chains follow_surfels(Kernels& kernels, const DeviceScene& scene, const Surfels& from, const Buffer<int>& starts, int shared,
+                      const ChainLights& lights, uint seed);
 
 }  // namespace pencil

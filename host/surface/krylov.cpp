@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "surface/combine_irradiance.h"
 #include "surface/dot_irradiance.h"
@@ -19,6 +20,8 @@ constexpr std::size_t basis_bytes = std::size_t{64} << 20;
 constexpr double rounding = 1e-6;
 /// A restart that leaves more than this share of the residual has met float's rounding.
 constexpr double falling = 0.5;
+/// Norms below this, of light in its own unit, are none: their inverse, and products with it, would leave float's range.
+constexpr double least_norm = 1e-30;
 
 int basis_size(int count) {
     const std::size_t vectors = basis_bytes / (sizeof(float4) * static_cast<std::size_t>(std::max(count, 1)));
@@ -29,7 +32,10 @@ int basis_size(int count) {
 glm::dvec3 norm_of(const Buffer<float4>& values) {
     glm::dvec3 sum(0);
     for (const float4& v : values.read()) sum += glm::dvec3(v) * glm::dvec3(v);
-    return glm::sqrt(sum);
+    glm::dvec3 norm = glm::sqrt(sum);
+    for (int c = 0; c < 3; ++c)
+        if (norm[c] < least_norm) norm[c] = 0;
+    return norm;
 }
 
 glm::dvec3 inverse(const glm::dvec3& v) {
@@ -130,11 +136,14 @@ void find_residual(Kernels& kernels, const Transport& transport, const Buffer<fl
     combine_irradiance(kernels, x, {glm::dvec3(-1)}, count, residual);
 }
 
-/// Bound of the relative error of solutions of norm `size` with such residuals.
+/// Bound of the relative error of solutions of norm `size` with such residuals; infinite where there is none.
 glm::dvec3 error_of(const glm::dvec3& residual, const glm::dvec3& radius, const glm::dvec3& size) {
     glm::dvec3 error(0);
-    for (int c = 0; c < 3; ++c)
-        if (residual[c] > 0 && radius[c] < most_spectral_radius) error[c] = residual[c] / ((1 - radius[c]) * size[c]);
+    for (int c = 0; c < 3; ++c) {
+        if (residual[c] == 0 || radius[c] >= most_spectral_radius) continue;
+        error[c] = residual[c] / ((1 - radius[c]) * size[c]);
+        if (!std::isfinite(error[c])) error[c] = HUGE_VAL;
+    }
     return error;
 }
 
@@ -167,15 +176,15 @@ KrylovReport solve_reflections(Kernels& kernels, const Transport& transport, con
     Buffer<float4> x(kernels.device(), size, "sum of reflections"), residual(kernels.device(), size, "residual of reflections");
     x.fill_zero();
     residual.copy_from(b, 0, 0, size);
-    for (double error = 1, last = HUGE_VAL; error > tolerance && error < falling * last && report.applications < most;) {
+    for (double error = HUGE_VAL, last = HUGE_VAL; error > tolerance && report.applications < most;) {
         Cycle cycle(kernels, transport, residual, count);
         fill(cycle, norm_of(x), tolerance, most, report);
         cycle.add_solution(report.spectral_radius, x);
         find_residual(kernels, transport, b, x, count, residual);
         ++report.applications;
         report.error = error_of(norm_of(residual), report.spectral_radius, norm_of(x));
-        last = error;
-        error = largest(report.error);
+        last = std::exchange(error, largest(report.error));
+        if (error >= falling * last) break;
     }
     combine_irradiance(kernels, x, {glm::dvec3(1)}, count, total);
     return report;

@@ -30,28 +30,14 @@ constexpr double sensor_rays_per_check = 4;
 /// since the first are the coarsest, and the spread of few is itself hardly known (docs/accuracy.md).
 double caution(int passes) { return 1 + 8.0 / (static_cast<double>(passes) * passes); }
 
-/// Two passes agree by chance too often.
-constexpr int least_passes = 3;
-/// A target that is never met ends here.
-constexpr int most_passes = 256;
-/// The mean of all pixels is to be this much better known than each of them, if that does not take many passes: it is what is seen as too
-/// bright or too dark.
-constexpr double mean_share = 0.1;
-/// From so many passes on, an error that twice the passes do not lower to this share does not fall any more.
-constexpr int steady_passes = 64;
-constexpr double falling_share = 0.85;
-/// And from so many on where it is so many times what was asked for: that is no matter of patience.
-constexpr int hopeless_passes = 16;
-constexpr double hopeless = 100;
-
 /// Residual of reflections that float's rounding may leave at high albedos: no reason to warn.
 constexpr double least_residual = 1e-3;
 
-/// Of more light samples than the first, packets of the film's surfels draw the second: a thousand lamps light most places by a few.
-constexpr int most_film_samples = 256, film_draws = 64;
-
-/// How many light samples there are to each one that lights a surfel.
-double fewer_lights(int samples) { return samples > most_film_samples ? static_cast<double>(samples) / film_draws : 1; }
+Buffer<float> copy_of(const Kernels& kernels, const Buffer<float>& values, const std::string& what) {
+    Buffer<float> copy(kernels.device(), values.size(), what);
+    copy.copy_from(values, 0, 0, values.size());
+    return copy;
+}
 
 /// `fewer`: of so many samples one is drawn.
 LobeLights lobe_lights(const RenderContext& context, const std::vector<LightSample>& samples, double fewer) {
@@ -77,7 +63,8 @@ MethodNeeds surface_needs(const Scene&, const std::vector<LightForm>&, const Ren
     return needs;
 }
 
-SurfaceMethod::SurfaceMethod(RenderContext& context) : context_(context), begun_(context.clock.seconds()), check_(context) {
+SurfaceMethod::SurfaceMethod(RenderContext& context)
+    : context_(context), begun_(context.clock.seconds()), patience_(context.options.target_error), check_(context) {
     for (std::size_t i = 0; i < context.forms.size(); ++i)
         emitters_ += context.scene.shapes[i].emits && context.forms[i] == LightForm::samples ? 1 : 0;
 }
@@ -111,7 +98,7 @@ bool SurfaceMethod::add_pass(const SurfacePass& pass) {
     const std::vector<std::string>& aovs = context_.options.aovs;
     frame_ = std::make_unique<Frame>(context_, index_ == 0 ? aovs : light_layers(aovs), pass.light_samples, 0, turn);
     const std::vector<float> emission = frame_->layers().beauty();
-    const bool lit = add_direct(hash64(turn.seed + 2) + turn.index);
+    const bool lit = add_direct(pass, hash64(turn.seed + 2) + turn.index);
     if (lit) add_bounces(pass, turn);
     mean_.add(frame_->take_layers(), pass.weight, pass.generation);
     check_.add_emission(emission, pass.weight);
@@ -121,11 +108,11 @@ bool SurfaceMethod::add_pass(const SurfacePass& pass) {
 }
 
 /// Light of the samples: of all of them, or of those that packets draw. False if nothing can be added to the direct light.
-bool SurfaceMethod::add_direct(std::uint64_t seed) {
+bool SurfaceMethod::add_direct(const SurfacePass& pass, std::uint64_t seed) {
     const LightSet& lights = frame_->lights();
-    if (fewer_lights(lights.maps.count) == 1) return frame_->add_direct();
+    if (fewer_lights(pass, lights.maps.count) == 1) return frame_->add_direct();
     return frame_->add_direct([&] {
-        sample_lights(context_.kernels, context_.device_scene, frame_->film().surfels(), lights, 1, film_draws,
+        sample_lights(context_.kernels, context_.device_scene, frame_->film().surfels(), lights, 1, film_draws(pass),
                       static_cast<uint>(hash64(seed) >> 32), frame_->outgoing());
     });
 }
@@ -142,7 +129,7 @@ void SurfaceMethod::place_world(const SurfacePass& pass, const FilmPixels& pixel
     SurfaceLights lights{samples.empty() ? LightSet() : LightSet(device, samples, 0),
                          near(of_film),
                          near(samples),
-                         lobe_lights(context_, of_film, fewer_lights(static_cast<int>(of_film.size()))),
+                         lobe_lights(context_, of_film, fewer_lights(pass, static_cast<int>(of_film.size()))),
                          lobe_lights(context_, samples, static_cast<double>(samples.size()) / pass.world.light_draws),
                          lobe_lights(context_, samples, static_cast<double>(samples.size()) / chain_draws)};
     // As many more pencils lie so much closer.
@@ -183,19 +170,27 @@ void SurfaceMethod::add_bounces(const SurfacePass& pass, const Turn& turn) {
     const TexelPoints points{static_cast<uint>(turn.seed >> 32), static_cast<uint>(turn.index)};
     context_.clock.run("film pencils", [&] { film.refine(*solver_, points); });
     context_.stats.film_pencils += static_cast<std::uint64_t>(film.count());
+    film_rays_ = film.rays();
+    const Buffer<float> before =
+        context_.kernels.features().lobes ? copy_of(context_.kernels, frame_->outgoing(), "light before film pencils") : Buffer<float>();
     context_.clock.run("project film", [&] { film.project(frame_->outgoing()); });
-    film_rays_ = static_cast<double>(film.count()) * pass.lattice.map * pass.lattice.map;
-    if (context_.kernels.features().lobes)
-        context_.clock.run("reflections",
-                           [&] { add_film_lobes(context_, *frame_, *solver_, film_rays_, fewer_lights(frame_->lights().maps.count) > 1); });
+    if (before.allocated())
+        context_.clock.run("reflections", [&] {
+            add_film_lobes(context_, *frame_, *solver_, {before, film_rays_, fewer_lights(pass, frame_->lights().maps.count) > 1});
+        });
     frame_->finish_bounce(FilmLayers::indirect, film.count(), 0);
     if (const int paths = check_paths(pixels.film.is_row_of_sensors() ? sensor_rays_per_check : rays_per_check); paths > 0)
         context_.clock.run("check error", [&] { check_.add(frame_->film(), paths, hash64(turn.seed + 1) + turn.index); });
 }
 
+/// About how many reflections matter to a path of a check.
+double SurfaceMethod::check_length() const {
+    return context_.options.bounces < 0 ? 1 / std::max(1 - solver_->bounces().spectral_radius, 1e-9) : 1;
+}
+
 /// Paths of a check, one for so many rays, fewer where each is long; 0 where so many reflections matter that paths cannot follow them.
 int SurfaceMethod::check_paths(double rays_per_path) const {
-    const double length = context_.options.bounces < 0 ? 1 / std::max(1 - solver_->bounces().spectral_radius, 1e-9) : 1;
+    const double length = check_length();
     if (length > longest_check) return 0;
     return static_cast<int>(film_rays_ / (rays_per_path * std::max(length / usual_check, 1.0)));
 }
@@ -237,32 +232,9 @@ bool SurfaceMethod::enough(double pace) {
     }
     const double error = estimated_error();
     if (mean_.count() >= 2) clock.set_fraction(std::min(options.target_error / error, 1.0));
-    if (mean_.count() >= 2 && !std::isfinite(error)) {
-        context_.stats.warnings.push_back("the image holds values that are not finite: stopped, the error is not known");
-        return true;
-    }
-    const CertifiedError certified = certified_error();
-    const bool contradicted = certified.points > 1 && std::abs(certified.mean_bias) >
-                                                          std::max(2 * certified.mean_error, mean_share * std::sqrt(options.target_error));
-    const bool mean_known = index_ >= steady_passes || (!contradicted && student(mean_.count()) * mean_.mean_standard_error() <=
-                                                                             mean_share * std::sqrt(options.target_error));
-    if (mean_.count() >= least_passes && error <= options.target_error && mean_known) return true;
-    const int patience = error > hopeless * options.target_error ? hopeless_passes : steady_passes;
-    const bool stuck =
-        error > options.target_error && index_ >= patience && index_ == 2 * error_index_ && error > falling_share * last_error_;
-    if (stuck || index_ >= most_passes) {
-        context_.stats.warnings.push_back(fmt::format(
-            "stopped {} --target-error: the estimated relMSE is {:.2g} after {} passes{}, the mean known to {:.1g} %; --time S goes on, "
-            "more --pencils may help",
-            error > options.target_error ? "above" : "by", error, index_, stuck ? " and falls no further" : "",
-            100 * student(mean_.count()) * mean_.mean_standard_error()));
-        return true;
-    }
-    if ((index_ & (index_ - 1)) == 0) {
-        error_index_ = index_;
-        last_error_ = error;
-    }
-    return false;
+    const Patience::Answer answer = patience_.ask({index_, error, student(mean_.count()) * mean_.mean_standard_error(), certified_error()});
+    if (answer.reason) context_.stats.warnings.push_back(*answer.reason);
+    return answer.enough;
 }
 
 std::vector<Layer> SurfaceMethod::snapshot() const {
@@ -286,7 +258,7 @@ std::vector<std::string> SurfaceMethod::explain() const {
             solve.krylov > 0 ? fmt::format("the rest by GMRES in {} applications", solve.krylov)
                              : std::string("the rest is a geometric series"),
             solve.spectral_radius, context_.stats.residual));
-    if (solver_ && film_rays_ > 0 && check_paths(rays_per_check) == 0)
+    if (solver_ && film_rays_ > 0 && check_length() > longest_check)
         lines.push_back("left out: check by light paths (too many reflections matter); the error is that of the spread of passes alone");
     return lines;
 }

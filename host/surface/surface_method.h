@@ -9,6 +9,7 @@
 #include "film/layer_mean.h"
 #include "film/method.h"
 #include "surface/film_pencils.h"
+#include "surface/patience.h"
 #include "surface/surface_pass.h"
 #include "surface/surface_solver.h"
 
@@ -31,10 +32,11 @@ public:
 
 private:
     bool add_pass(const SurfacePass& pass);
-    bool add_direct(std::uint64_t seed);
+    bool add_direct(const SurfacePass& pass, std::uint64_t seed);
     void add_bounces(const SurfacePass& pass, const Turn& turn);
     void place_world(const SurfacePass& pass, const FilmPixels& pixels);
     int world_map() const;
+    double check_length() const;
     int check_paths(double rays_per_path) const;
     void report_bounces();
     bool enough(double pace);
@@ -42,12 +44,11 @@ private:
     SurfacePencils seeds(const FilmPixels& pixels) const;
 
     RenderContext& context_;
-    int emitters_ = 0;       // shapes whose light is sampled
-    int index_ = 0;          // of the next pass
-    double film_rays_ = 0;   // of the last one
-    int error_index_ = 0;    // passes, a power of two,
-    double last_error_ = 0;  // after which the error was estimated as this
-    double begun_ = 0;       // when the last pass ended [s]
+    int emitters_ = 0;      // shapes whose light is sampled
+    int index_ = 0;         // of the next pass
+    double film_rays_ = 0;  // of the last one
+    double begun_ = 0;      // when the last pass ended [s]
+    Patience patience_;
     LayerMean mean_;
     ErrorCheck check_;
     std::unique_ptr<Frame> frame_;  // of the pass in the making

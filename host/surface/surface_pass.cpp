@@ -9,12 +9,13 @@ namespace {
 
 /// Light samples that a packet of texels draws.
 constexpr int light_draws = 2;
-
 /// Texels draw from at most so many light samples.
 constexpr int most_texel_samples = 1 << 16;
 /// Rays of the pencils of all sensors and shadow rays of all, about, as many as of a small film, but maps and samples of each at most.
 constexpr double sensor_rays = 1 << 17;
 constexpr int most_sensor_map = 128, most_sensor_lights = 1 << 12;
+/// Of more light samples than this, and than twice what was asked for, surfels draw, at least so many.
+constexpr int many_lights = 256, least_draws = 64;
 /// Time of the first world set, in terms of the time of the first pass without it.
 constexpr double world_work = 0.3;
 
@@ -48,6 +49,7 @@ SurfacePass surface_pass(int index, const RenderOptions& options, const Camera& 
     pass.weight = grown(0.8);
     pass.light_samples =
         std::max(static_cast<int>(std::lround(0.5 * options.light_samples * std::clamp(0.5 * emitters, 1.0, 4.0) * grown(0.25))), 1);
+    pass.draws_lights = true;
     pass.texel_light_samples = std::min(16 * std::min(pass.light_samples, most_texel_samples), most_texel_samples);
     pass.world.pencils = static_cast<int>(std::lround(std::min(options.pencils * std::min(grown(0.5), 16.0), 1048576.0)));
     pass.world.light_draws = light_draws;
@@ -65,6 +67,14 @@ void suit_sensors(SurfacePass& pass, int receivers) {
     pass.lattice.coarsest = 0;
     pass.lattice.map = std::clamp(4 * static_cast<int>(std::lround(std::sqrt(each) / 4)), film_map, most_sensor_map);
     pass.light_samples = std::max(pass.light_samples, std::min(static_cast<int>(each), most_sensor_lights));
+    pass.draws_lights = false;
+}
+
+int film_draws(const SurfacePass& pass) { return std::max(pass.light_samples, least_draws); }
+
+double fewer_lights(const SurfacePass& pass, int samples) {
+    const bool many = pass.draws_lights && samples > std::max(many_lights, 2 * pass.light_samples);
+    return many ? static_cast<double>(samples) / film_draws(pass) : 1;
 }
 
 }  // namespace pencil

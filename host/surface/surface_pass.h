@@ -17,6 +17,7 @@ struct SurfacePass {
     int generation;
     int world_set;            // its number: passes that share it come one after the other
     int light_samples;        // of the film
+    bool draws_lights;        // packets of the film's surfels may draw some of them, where each emitter's own makes many
     int texel_light_samples;  // that texels of surface pencils draw from
     WorldQuality world;
     FilmLattice lattice;
@@ -31,5 +32,10 @@ SurfacePass surface_pass(int index, const RenderOptions& options, const Camera& 
 
 /// The same for so many receivers of sensors: they do not help each other, and each is to be known well.
 void suit_sensors(SurfacePass& pass, int receivers);
+
+/// Light samples that a packet of the film's surfels draws where it does not take all,
+int film_draws(const SurfacePass& pass);
+/// and how many light samples, of so many, there are to each one that lights a surfel of the film: a thousand lamps light most places by a few.
+double fewer_lights(const SurfacePass& pass, int samples);
 
 }  // namespace pencil

@@ -99,9 +99,12 @@ void SurfaceSolver::follow(Surfels& surfels) {
     if (kernels_.features().lobes) follow_surfels(kernels_, scene_, {lights_.drawn, lights_.drawn}, 0, next_seed(), surfels);
 }
 
-Buffer<float> SurfaceSolver::follow(const Surfels& film, const Buffer<int>& starts, int shared, Surfels& chains) {
+Chains SurfaceSolver::follow(const Surfels& film, const Buffer<int>& starts, int shared) {
+    return follow_surfels(kernels_, scene_, film, starts, shared, {lights_.film, lights_.chains}, next_seed());
+}
+
+Buffer<float> SurfaceSolver::radiance(const Surfels& chains) {
     Buffer<float> radiance = surfel_rgb(kernels_.device(), chains.capacity, "radiance of chains");
-    follow_surfels(kernels_, scene_, film, starts, shared, {lights_.film, lights_.chains}, next_seed(), chains);
     emit_chains(kernels_, scene_, chains, radiance);
     if (direct_) light(chains, chain_draws, radiance, next_seed());
     if (const SurfacePencils& world = world_.pencils(); world.count > 0) {
@@ -111,7 +114,7 @@ Buffer<float> SurfaceSolver::follow(const Surfels& film, const Buffer<int>& star
     return radiance;
 }
 
-void SurfaceSolver::gather(SurfacePencils& pencils, int first, int count, const TexelPoints& points) {
+void SurfaceSolver::gather(SurfacePencils& pencils, int first, int count, const TexelPoints& points, Reach reach) {
     const int chunk = std::max(chunk_surfels / pencils.texels(), 1);
     auto& [surfels, outgoing, contact] = seen_;
     for (int at = first; at < first + count; at += chunk) {
@@ -119,7 +122,7 @@ void SurfaceSolver::gather(SurfacePencils& pencils, int first, int count, const 
         reserve(seen_, part * pencils.texels());
         trace_hemispheres(kernels_, scene_, pencils, at, part, points, surfels);
         measure_hemispheres(kernels_, surfels, 0, at, part, pencils);
-        approach_emitters(kernels_, scene_, surfels, at, part, lights_.near_film, pencils);
+        if (reach == Reach::others) approach_emitters(kernels_, scene_, surfels, at, part, lights_.near_film, pencils);
         follow(surfels);
         emit_hemispheres(kernels_, scene_, surfels, pencils, at, lights_.near_film, outgoing);
         if (direct_) light(seen_);

@@ -29,6 +29,9 @@ struct SurfaceLights {
     LobeLights chains;         // and as chains of the film do: some more
 };
 
+/// Whom the irradiance of pencils is for: their own surfels, or others near them, too, so that emitters near them matter.
+enum class Reach { own, others };
+
 class SurfaceSolver {
 public:
     SurfaceSolver(Kernels& kernels, const DeviceScene& scene, SurfaceLights lights, const WorldQuality& quality, StageClock& clock,
@@ -41,11 +44,12 @@ public:
     void solve(int map, int orders, double tolerance, std::uint64_t seed);
 
     /// What pencils first .. first + count of a set see and receive, after solve().
-    void gather(SurfacePencils& pencils, int first, int count, const TexelPoints& points);
+    void gather(SurfacePencils& pencils, int first, int count, const TexelPoints& points, Reach reach);
 
-    /// What chains of lobes that start on surfels `starts` of the film find: radiance[3][capacity of `chains`] that they carry [W m^-2 sr^-1],
-    /// emission and reflections.
-    Buffer<float> follow(const Surfels& film, const Buffer<int>& starts, int shared, Surfels& chains);
+    /// Chains that start on surfels `starts` of the film, `shared` one after the other on the same,
+    Chains follow(const Surfels& film, const Buffer<int>& starts, int shared);
+    /// and what they find: radiance[3][capacity of `chains`] that they carry [W m^-2 sr^-1], emission and reflections.
+    Buffer<float> radiance(const Surfels& chains);
 
     const SurfacePencils& world() const { return world_.pencils(); }
     float spacing() const { return world_.spacing(); }

@@ -23,4 +23,10 @@ std::string format_fixed(double value, int digits) {
 
 std::string format_extent(int width, int height) { return fmt::format("{}x{}", width, height); }
 
+std::string csv_quoted(const std::string& text) {
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+    return quoted + "\"";
+}
+
 }  // namespace pencil

@@ -18,4 +18,7 @@ std::string format_fixed(double value, int digits);
 /// "320x240".
 std::string format_extent(int width, int height);
 
+/// A field of a CSV file between quotes (RFC 4180).
+std::string csv_quoted(const std::string& text);
+
 }  // namespace pencil

@@ -22,8 +22,7 @@ static inline float3 conductor_evaluate(const Bsdf *b, float3 omega_o, float3 om
 
 static inline float conductor_pdf(const Bsdf *b, float3 omega_o, float3 omega_i) {
     if (b->alpha < SMOOTH_ALPHA || !(omega_i.z > 0.0f)) return 0.0f;
-    float3 h = normalize(omega_o + omega_i);
-    return microfacet_pdf(b->flags & MATERIAL_BECKMANN, b->alpha, omega_o, h) / (4.0f * dot(omega_o, h));
+    return microfacet_reflect_pdf(b->flags & MATERIAL_BECKMANN, b->alpha, omega_o, omega_i);
 }
 
 static inline BsdfSample conductor_sample(const Bsdf *b, float3 omega_o, float3 u) {
@@ -32,8 +31,7 @@ static inline BsdfSample conductor_sample(const Bsdf *b, float3 omega_o, float3 
         s.weight = conductor_fresnel(b, omega_o.z);
         return s;
     }
-    float3 h = microfacet_sample(b->flags & MATERIAL_BECKMANN, b->alpha, omega_o, u.xy);
-    s.omega_i = 2.0f * dot(omega_o, h) * h - omega_o;
+    s.omega_i = microfacet_mirror(b->flags & MATERIAL_BECKMANN, b->alpha, omega_o, u.xy);
     s.pdf = conductor_pdf(b, omega_o, s.omega_i);
     if (!(s.omega_i.z > 0.0f && s.pdf > 0.0f)) return no_bsdf_sample();
     s.weight = conductor_evaluate(b, omega_o, s.omega_i) / s.pdf;

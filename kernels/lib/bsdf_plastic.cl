@@ -53,8 +53,7 @@ static inline float3 plastic_evaluate(const Bsdf *b, float3 omega_o, float3 omeg
 
 static inline float plastic_pdf(const Bsdf *b, float3 omega_o, float3 omega_i) {
     if (b->alpha < SMOOTH_ALPHA || !(omega_i.z > 0.0f)) return 0.0f;
-    float3 h = normalize(omega_o + omega_i);
-    return microfacet_pdf(b->flags & MATERIAL_BECKMANN, b->alpha, omega_o, h) / (4.0f * dot(omega_o, h));
+    return microfacet_reflect_pdf(b->flags & MATERIAL_BECKMANN, b->alpha, omega_o, omega_i);
 }
 
 static inline BsdfSample plastic_sample(const Bsdf *b, float3 omega_o, float3 u) {
@@ -63,8 +62,7 @@ static inline BsdfSample plastic_sample(const Bsdf *b, float3 omega_o, float3 u)
         s.weight = plastic_share(b, omega_o);
         return s;
     }
-    float3 h = microfacet_sample(b->flags & MATERIAL_BECKMANN, b->alpha, omega_o, u.xy);
-    s.omega_i = 2.0f * dot(omega_o, h) * h - omega_o;
+    s.omega_i = microfacet_mirror(b->flags & MATERIAL_BECKMANN, b->alpha, omega_o, u.xy);
     s.pdf = plastic_pdf(b, omega_o, s.omega_i);
     if (!(s.omega_i.z > 0.0f && s.pdf > 0.0f)) return no_bsdf_sample();
     s.weight = plastic_evaluate(b, omega_o, s.omega_i) / s.pdf;

@@ -29,3 +29,11 @@ static inline int lattice_pencil(global const int *pencil_at, int2 at, int spaci
     if (spacing < coarsest && ((p.x | p.y) & (2 * spacing - 1)) == 0) return -1;
     return pencil_at[p.y * width + p.x];
 }
+
+/// Pixel of the lattice point that is `steps` points away from that of pixel `at`; -1: there is none.
+static inline int lattice_neighbour(int2 at, int2 steps, int spacing, int width, int height) {
+    int2 last = (int2)(width - 1, height - 1), place = (at + (spacing - 1)) / spacing + steps;
+    if (any(place < 0) || any(place > (last + (spacing - 1)) / spacing)) return -1;
+    int2 p = min(place * spacing, last);
+    return p.y * width + p.x;
+}

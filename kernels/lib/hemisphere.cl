@@ -33,5 +33,17 @@ static inline void tangent_frame(float3 n, float3 *t, float3 *b) {
     *b = (float3)(m, s + n.y * n.y * k, -n.y);
 }
 
+/// Tangents of a unit normal, the first of them under unit direction o if that lies aside of the normal: the frame of bsdf.cl.
+static inline void frame_towards(float3 n, float3 o, float3 *t, float3 *b) {
+    float3 across = o - dot(n, o) * n;
+    float width = length(across);
+    if (!(width > 1e-6f)) {
+        tangent_frame(n, t, b);
+        return;
+    }
+    *t = across / width;
+    *b = cross(n, *t);
+}
+
 /// Sector of azimuth of (x, y), 0 .. RING_SECTORS - 1.
 static inline int ring_sector(float x, float y) { return (x < 0.0f ? 4 : 0) | (y < 0.0f ? 2 : 0) | (fabs(x) < fabs(y) ? 1 : 0); }

@@ -45,14 +45,8 @@ static inline Incident incident_light(global const LightSample *sample, float3 x
 
 /// Radiance that the lobes of a surfel send back, and what its base sends back beyond even light, for light of this emission.
 static inline float3 lobe_radiance(const Vertex *v, float3 factor, const Incident *in, float3 emission) {
-    float3 n = v->n, across = v->o - dot(n, v->o) * n, t, b;
-    float width = length(across);
-    if (width > 1e-6f) {
-        t = across / width;
-        b = cross(n, t);
-    } else {
-        tangent_frame(n, &t, &b);
-    }
+    float3 n = v->n, t, b;
+    frame_towards(n, v->o, &t, &b);
     float3 omega_i = (float3)(dot(in->direction, t), dot(in->direction, b), dot(in->direction, n));
     if (!(omega_i.z * dot(in->direction, v->g) > 0.0f)) return (float3)(0.0f);
     float3 omega_o = seen_from(n, v->o);

@@ -44,6 +44,18 @@ static inline float microfacet_pdf(bool beckmann, float alpha, float3 v, float3 
     return beckmann ? d * h.z : microfacet_seen(beckmann, alpha, v, h) * fmax(dot(v, h), 0.0f) * d / v.z;
 }
 
+/// Density of the mirror direction of a microfacet_sample, per solid angle [1/sr].
+static inline float microfacet_reflect_pdf(bool beckmann, float alpha, float3 omega_o, float3 omega_i) {
+    float3 h = normalize(omega_o + omega_i);
+    return microfacet_pdf(beckmann, alpha, omega_o, h) / (4.0f * dot(omega_o, h));
+}
+
+/// The mirror direction of a microfacet_sample.
+static inline float3 microfacet_mirror(bool beckmann, float alpha, float3 omega_o, float2 u) {
+    float3 h = microfacet_sample(beckmann, alpha, omega_o, u);
+    return 2.0f * dot(omega_o, h) * h - omega_o;
+}
+
 /// D G1 G1 / (4 cos_o): reflection by microfacets of reflectance 1, times the cosine of omega_i [1/sr]; h: their half vector.
 static inline float microfacet_reflect(bool beckmann, float alpha, float3 omega_o, float3 omega_i, float3 h) {
     return microfacet_density(beckmann, alpha, h) * microfacet_seen(beckmann, alpha, omega_o, h) *

@@ -1,5 +1,6 @@
 // The surface pencils near a point, by the grid.
 
+#include "lib/apart.cl"
 #include "lib/packet.cl"
 #include "lib/surface_pencil.cl"
 #include "shared/surface_pencil.h"
@@ -123,8 +124,8 @@ static inline PencilLinks reaching_pencils(global const SurfacePencil *pencils, 
 }
 
 /// The links of a point. Where none may be used, another stands in, if there is one: then index[1] is LINK_STANDS_IN.
-static inline PencilLinks nearest_pencils(global const SurfacePencil *pencils, PencilGrid grid, global const int *starts,
-                                          global const float *entries, float3 x, float3 n) {
+APART static PencilLinks nearest_pencils(global const SurfacePencil *pencils, PencilGrid grid, global const int *starts,
+                                         global const float *entries, float3 x, float3 n) {
     PencilLinks links = reaching_pencils(pencils, grid, starts, entries, x, n);
     if (links.index[0] >= 0) return links;
     links.index[0] = stand_in_pencil(pencils, grid, starts, entries, x, n);

@@ -21,11 +21,7 @@ static inline float straight_share(const Surfaces *s, int triangle, float3 origi
     global const Triangle *t = s->triangles + triangle;
     if (!(s->materials[t->material].flags & MATERIAL_CLEAR)) return 0.0f;
     float4 cop = (float4)(origin, 0.0f), way = (float4)(direction, 0.0f), plane = s->planes[t->plane];
-    TexturePoint at = {(float2)(0.0f), hit_barycentric(t, cop, way), triangle};
-    if (PENCIL_TEXTURES) {
-        global const float2 *uv = s->uvs + 3 * (size_t)triangle;
-        at.uv = at.w.x * uv[0] + at.w.y * uv[1] + at.w.z * uv[2];
-    }
+    TexturePoint at = texture_point(s, triangle, hit_barycentric(t, cop, way));
     bool front = plane_ahead(plane, cop) < 0.0f;
     float3 n = plane.xyz;
     if (PENCIL_SMOOTH) {

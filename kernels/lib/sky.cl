@@ -1,12 +1,11 @@
 // Radiance of the environment by direction.
 
+#include "lib/colour.cl"
 #include "shared/sky.h"
 
 /// Parameters of kernels: the environment, and its texels row by row.
 #define SKY_PARAMETERS global const Sky *sky, global const float4 *sky_texels
-
-/// As luminance of image/colour.h.
-static inline float sky_luminance(float3 radiance) { return dot(radiance, (float3)(0.2126f, 0.7152f, 0.0722f)); }
+#define SKY_ARGUMENTS sky, sky_texels
 
 /// Place on the map of a unit direction, in texels: the first and last rows are centred on the poles (Mitsuba).
 static inline float2 sky_place(global const Sky *e, float3 d) {
@@ -40,10 +39,10 @@ static inline float3 sky_seen(SKY_PARAMETERS, float3 d) {
 /// they can take. The parts above the limit are shared with light samples by the balance heuristic (Veach 1997, 9.2).
 static inline float3 sky_radiance(SKY_PARAMETERS, float3 d, float density) {
     float3 all = sky_texel(sky, sky_texels, d);
-    float luminance = sky_luminance(all);
-    if (luminance <= sky->limit || density == 0.0f) return all;
-    float3 low = all * (sky->limit / luminance);
+    float size = luminance(all);
+    if (size <= sky->limit || density == 0.0f) return all;
+    float3 low = all * (sky->limit / size);
     if (density < 0.0f) return low;
-    float samples = sky->each_sample * (luminance - sky->limit);
+    float samples = sky->each_sample * (size - sky->limit);
     return low + (all - low) * (density / (density + samples));
 }

@@ -10,10 +10,11 @@
 #include "shared/surfel.h"
 #include "shared/texture.h"
 
-/// Parameters of kernels, and the same as one value. Three normals and three texture coordinates for each triangle, if any have them.
+/// Parameters of kernels, the same as arguments, and as one value. Three normals and three texture coordinates for each triangle, if any have them.
 #define SURFACES_PARAMETERS                                                                                                        \
     global const Triangle *triangles, global const float4 *planes, global const Material *materials, global const float4 *normals, \
         global const float2 *uvs, global const TextureRow *textures, global const half *bitmaps
+#define SURFACES_ARGUMENTS triangles, planes, materials, normals, uvs, textures, bitmaps
 #define SURFACES \
     { triangles, planes, materials, normals, uvs, textures, bitmaps }
 
@@ -174,7 +175,7 @@ static inline Vertex meet_surface(const Surfaces *s, Hit hit, float4 cop, float4
     int row = scattering_row(s, t->material, front, &at, bits);
     if (PENCIL_RELIEF) v.n = front ? relief_normal(s, s->materials + row, &at, v.n) : -relief_normal(s, s->materials + row, &at, -v.n);
     v.row = front ? row : ~row;
-    v.o = PENCIL_OUTGOING ? -normalize(direction.xyz) : v.n;  // no model looks at it if it is not carried
+    v.o = PENCIL_LOBES || PENCIL_SKY ? -normalize(direction.xyz) : v.n;  // no model looks at it if it is not carried
     // Seen from below its shading normal: relief is black there, as Mitsuba's; others are as flat.
     global const Material *m = s->materials + row;
     bool black = PENCIL_RELIEF && m->normal_texture >= 0 && m->model != MATERIAL_DIELECTRIC && dot(v.n, direction.xyz) >= 0.0f;
@@ -182,7 +183,7 @@ static inline Vertex meet_surface(const Surfaces *s, Hit hit, float4 cop, float4
     v.bsdf = bsdf_at(s, row, front, &at);
     float3 omega_o = seen_from(v.n, v.o);
     v.albedo = bsdf_base(&v.bsdf, omega_o);
-    if (!PENCIL_OUTGOING) v.albedo += bsdf_share(&v.bsdf, omega_o);  // lobes as if they were even
+    if (!PENCIL_LOBES) v.albedo += bsdf_share(&v.bsdf, omega_o);  // lobes as if they were even
     if (black || !side_scatters(m, front)) {
         v.albedo = (float3)(0.0f);
         v.bsdf.model = MATERIAL_DIFFUSE;

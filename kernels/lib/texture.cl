@@ -1,5 +1,6 @@
 // Textures at a point of a surface.
 
+#include "lib/colour.cl"
 #include "shared/texture.h"
 
 /// Coordinates end here [texels]: beyond it floats have no fractions left to speak of.
@@ -19,16 +20,32 @@ static inline float4 bitmap_texel(global const TextureRow *t, global const half 
     return vload_half4(at, texels);
 }
 
+/// The four texels about a place, by column and row; f: of the way to the later ones.
+typedef struct Patch {
+    float4 t00, t10, t01, t11;
+    float2 f;
+} Patch;
+
+/// at: in texels.
+static inline Patch bitmap_patch(global const TextureRow *t, global const half *texels, float2 at) {
+    float2 low = floor(at - 0.5f);
+    int x = (int)low.x, y = (int)low.y;
+    Patch p = {bitmap_texel(t, texels, x, y), bitmap_texel(t, texels, x + 1, y), bitmap_texel(t, texels, x, y + 1),
+               bitmap_texel(t, texels, x + 1, y + 1), at - 0.5f - low};
+    return p;
+}
+
+/// (u, v) in texels.
+static inline float2 in_texels(global const TextureRow *t, float2 uv) {
+    return clamp(uv * (float2)(t->width, t->height), -TEXTURE_FAR, TEXTURE_FAR);
+}
+
 /// Colour and opacity of a bitmap at (u, v), row 0 from v = 0 on.
 static inline float4 bitmap_value(global const TextureRow *t, global const half *texels, float2 uv) {
-    float2 at = clamp(uv * (float2)(t->width, t->height), -TEXTURE_FAR, TEXTURE_FAR);
+    float2 at = in_texels(t, uv);
     if (t->nearest) return bitmap_texel(t, texels, (int)floor(at.x), (int)floor(at.y));
-    at -= 0.5f;
-    float2 low = floor(at), f = at - low;
-    int x = (int)low.x, y = (int)low.y;
-    float4 top = mix(bitmap_texel(t, texels, x, y), bitmap_texel(t, texels, x + 1, y), f.x);
-    float4 bottom = mix(bitmap_texel(t, texels, x, y + 1), bitmap_texel(t, texels, x + 1, y + 1), f.x);
-    return mix(top, bottom, f.y);
+    Patch p = bitmap_patch(t, texels, at);
+    return mix(mix(p.t00, p.t10, p.f.x), mix(p.t01, p.t11, p.f.x), p.f.y);
 }
 
 /// A point of triangle `triangle` at barycentric weights w, with texture coordinates uv.
@@ -59,13 +76,9 @@ static inline float4 texture_or_one(int texture, global const TextureRow *textur
 /// Derivatives by u and v of the luminance of a bitmap's bilinear filter; other textures have none.
 static inline float2 texture_slope(global const TextureRow *t, global const half *texels, const TexturePoint *p) {
     if (t->kind != TEXTURE_BITMAP) return (float2)(0.0f);
-    float3 q = (float3)(p->uv, 1.0f), rec709 = (float3)(0.212671f, 0.715160f, 0.072169f);
-    float2 at = (float2)(dot(t->row_u.xyz, q) * t->width, dot(t->row_v.xyz, q) * t->height) - 0.5f;
-    at = clamp(at, -TEXTURE_FAR, TEXTURE_FAR);
-    float2 low = floor(at), f = at - low;
-    int x = (int)low.x, y = (int)low.y;
-    float a = dot(bitmap_texel(t, texels, x, y).xyz, rec709), b = dot(bitmap_texel(t, texels, x + 1, y).xyz, rec709);
-    float c = dot(bitmap_texel(t, texels, x, y + 1).xyz, rec709), d = dot(bitmap_texel(t, texels, x + 1, y + 1).xyz, rec709);
-    float by_column = t->width * mix(b - a, d - c, f.y), by_row = t->height * mix(c - a, d - b, f.x);
+    float3 q = (float3)(p->uv, 1.0f);
+    Patch at = bitmap_patch(t, texels, in_texels(t, (float2)(dot(t->row_u.xyz, q), dot(t->row_v.xyz, q))));
+    float a = luminance(at.t00.xyz), b = luminance(at.t10.xyz), c = luminance(at.t01.xyz), d = luminance(at.t11.xyz);
+    float by_column = t->width * mix(b - a, d - c, at.f.y), by_row = t->height * mix(c - a, d - b, at.f.x);
     return by_column * t->row_u.xy + by_row * t->row_v.xy;
 }

@@ -3,6 +3,5 @@
 #include "bound_film.cl"
 #include "classify_film.cl"
 #include "emit_surfels.cl"
-#include "film_surfels.cl"
 #include "rasterize_film.cl"
 #include "resolve_film.cl"

@@ -1,8 +1,6 @@
-// Geometry maps, and direct light through them or by rays. Kernels that are built together, since a program costs more than a kernel.
+// Geometry maps. Kernels that are built together, since a program costs more than a kernel.
 
 #include "fold_hits.cl"
-#include "light_surfels.cl"
 #include "rasterize_clusters.cl"
 #include "rasterize_octahedral.cl"
-#include "sample_lights.cl"
 #include "trace_octahedral.cl"

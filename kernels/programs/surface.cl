@@ -15,5 +15,4 @@
 #include "project_surface_pencils.cl"
 #include "smooth_irradiance.cl"
 #include "sum_hemispheres.cl"
-#include "trace_hemispheres.cl"
 #include "transport_irradiance.cl"

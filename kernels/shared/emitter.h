@@ -19,7 +19,7 @@ typedef struct Emitter {
     float4 axis;   // of a spot: xyz, w: angle of its beam [radian]; of parallel light: direction in which it travels
     //------------------------------------------------- 48 B
     int triangle;  // index into triangles, or EMITTER_...
-    float chance;  // share of all power
+    float chance;  // of being chosen
     int column;    // of a texel of the sky
     int row;
     //------------------------------------------------- 64 B

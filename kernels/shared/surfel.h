@@ -18,7 +18,7 @@
 #define SURFEL_GZ 13
 #define SURFEL_FIELDS 14  // that every surfel has
 
-// Of scenes with lobes or light from infinitely far away (Features::outgoing, on the device PENCIL_OUTGOING):
+// Of scenes with lobes, an environment or textured emitters (Features::outgoing, on the device PENCIL_OUTGOING):
 #define SURFEL_OX 14  // unit direction from the surface to where it was seen from; where nothing was seen against the ray
 #define SURFEL_OY 15
 #define SURFEL_OZ 16

@@ -87,8 +87,8 @@ bool Child::read_some(int timeout_ms) {
     return true;
 }
 
-bool Child::wait_for_error_text(const std::string& text) {
-    while (result_.err.find(text) == std::string::npos)
+bool Child::wait_for(const std::string& stream, const std::string& text) {
+    while (stream.find(text) == std::string::npos)
         if (!read_some(1000)) return false;
     return true;
 }

@@ -37,10 +37,13 @@ public:
 
     void send(int signal);
     /// Reads until stderr contains `text`; false if it ends first. How long that may take is the test runner's to say.
-    bool wait_for_error_text(const std::string& text);
+    bool wait_for_error_text(const std::string& text) { return wait_for(result_.err, text); }
+    /// The same of stdout.
+    bool wait_for_output_text(const std::string& text) { return wait_for(result_.out, text); }
     RunResult wait();
 
 private:
+    bool wait_for(const std::string& stream, const std::string& text);
     bool read_some(int timeout_ms);
     ::pid_t pid_ = -1;
     int out_ = -1, err_ = -1;

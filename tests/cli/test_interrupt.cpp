@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <algorithm>
+
 #include "cli/fixtures.h"
 #include "cli/run_program.h"
 
@@ -49,6 +51,52 @@ TEST(InterruptLine, WritesThePartialResultWithStatus7) {
     ASSERT_TRUE(child.wait_for_error_text("pencil: pencil transport\n")) << "no such progress line";
     child.send(SIGINT);
     expect_partial_result(child.wait(), folder, "24 x   16");
+}
+
+/// A layer that was not reached: its file is left out, the others are written.
+TEST(InterruptLayers, WhatHasNoLayerYetIsLeftOut) {
+    for (const std::string command : {"render", "reference"}) {
+        const Folder folder;
+        const std::string scene = folder.write("room.xml", small_scene());
+        const std::string last_stage = command == "render" ? all_is_built : "pencil: trace paths\n";
+        Child child({PENCIL_PROGRAM, command, scene, "-o", (folder / "a.illuminance.png").string(), "-o", (folder / "a.exr").string(),
+                     "--time", "1e6", "--aov", "none"});
+        ASSERT_TRUE(child.wait_for_error_text(last_stage)) << command;
+        child.send(SIGINT);
+        const RunResult result = child.wait();
+        EXPECT_NE(result.err.find("a.illuminance.png is not written: interrupted before there was a layer illuminance"), std::string::npos)
+            << result.err;
+        EXPECT_EQ(result.out.find("illuminance"), std::string::npos) << result.out;
+        expect_partial_result(result, folder, "24 x   16");
+    }
+}
+
+TEST(InterruptLayers, NothingIsLeft) {
+    const Folder folder;
+    const std::string scene = folder.write("room.xml", small_scene());
+    Child child({PENCIL_PROGRAM, "reference", scene, "-o", (folder / "a.illuminance.png").string(), "--time", "1e6"});
+    ASSERT_TRUE(child.wait_for_error_text("pencil: trace paths\n"));
+    child.send(SIGINT);
+    const RunResult result = child.wait();
+    EXPECT_EQ(result.code, 7) << result.err;
+    EXPECT_NE(result.err.find("interrupted; nothing is written"), std::string::npos) << result.err;
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"room.xml"});
+}
+
+/// What was measured by then, however little is known of it.
+TEST(InterruptMeasure, WritesTheTableWithStatus7) {
+    const Folder folder;
+    const std::string scene = folder.write("room.xml", small_scene());
+    for (const std::string method : {"surface", "reference"}) {
+        const std::string last_stage = method == "surface" ? all_is_built : "pencil: trace paths\n";
+        Child child({PENCIL_PROGRAM, "measure", scene, "--grid", "-1,-1,0.1;2,0,0;0,2,0;4;4", "--method", method, "--time", "1e6"});
+        ASSERT_TRUE(child.wait_for_error_text(last_stage)) << method;
+        child.send(SIGINT);
+        const RunResult result = child.wait();
+        EXPECT_EQ(result.code, 7) << result.err;
+        EXPECT_NE(result.err.find("interrupted; what was measured until then is written"), std::string::npos) << result.err;
+        EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 1 + 16) << result.out;
+    }
 }
 
 TEST(InterruptTwice, EndsAtOnce) {

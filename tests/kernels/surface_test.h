@@ -63,6 +63,18 @@ private:
     }
 };
 
+/// What texels see: fronts and backs of so many materials, anywhere, and sometimes nothing.
+inline MadeSurfels seen_materials(Random& random, int count, int materials) {
+    MadeSurfels surfels(count);
+    for (int i = 0; i < count; ++i) {
+        if (random.index(9) == 0) continue;
+        surfels.place(i, random.in_box(-0.7, 0.7), random.direction(), 0, dvec3(0.5));
+        const int m = random.index(materials);
+        surfels.set_bits(SURFEL_MATERIAL, i, random.uniform() < 0.3 ? ~m : m);
+    }
+    return surfels;
+}
+
 /// Pencils in free space of [-0.7, 0.7]^3 that look anywhere.
 inline std::vector<SurfacePencil> random_pencils(std::uint32_t seed, int count) {
     Random random(seed);

@@ -40,13 +40,7 @@ TEST(ApproachEmitters, IsTheMeanByTheShareThatPencilsCarry) {
         for (const int count : {1, 5, 37}) {
             const int first = count % 4, texels = n * n;
             std::vector<SurfacePencil> pencils = random_pencils(8, first + count);
-            MadeSurfels surfels(count * texels);
-            for (int i = 0; i < surfels.count; ++i) {
-                if (random.index(9) == 0) continue;  // saw nothing
-                surfels.place(i, random.in_box(-0.7, 0.7), random.direction(), 0, dvec3(0.5));
-                const int m = random.index(materials);
-                surfels.set_bits(SURFEL_MATERIAL, i, random.uniform() < 0.3 ? ~m : m);
-            }
+            const MadeSurfels surfels = seen_materials(random, count * texels, materials);
             const std::vector<float> got = approached(scene, surfels, near_area, n, pencils, first);
             for (int p = 0; p < count; ++p) {
                 const auto index = static_cast<std::size_t>(first + p);

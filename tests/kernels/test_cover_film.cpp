@@ -10,24 +10,23 @@ using namespace pencil::test;
 
 constexpr float most_error = 0.6F;
 
-/// `asked`: by surfel, up to the capacity.
-std::vector<unsigned char> uncovered(const MadeFilm& film, const std::vector<unsigned char>& asked, float error = most_error) {
+constexpr unsigned char untouched = 7;
+
+/// By surfel, up to the capacity.
+std::vector<unsigned char> uncovered(const MadeFilm& film, float error = most_error) {
     Kernels kernels = make_kernels();
     const DeviceFilm on_film(film);
-    Buffer<unsigned char> bytes(device(), asked, "uncovered");
+    Buffer<unsigned char> bytes(device(), std::vector<unsigned char>(static_cast<std::size_t>(film.surfels.capacity), untouched),
+                                "uncovered");
     cover_film(kernels, on_film.shown, on_film.lattice, error, bytes);
     return bytes.read();
-}
-
-std::vector<unsigned char> all(const MadeFilm& film) {
-    return std::vector<unsigned char>(static_cast<std::size_t>(film.surfels.capacity), 1);
 }
 
 TEST(CoverFilm, IsTheReferences) {
     int compared = 0, covered = 0;
     for (const FilmCase& c : film_cases()) {
         const MadeFilm film(c.width, c.height, c.coarsest, c.finest, 41);
-        const std::vector<unsigned char> got = uncovered(film, all(film));
+        const std::vector<unsigned char> got = uncovered(film);
         for (int pixel = 0; pixel < c.width * c.height; ++pixel)
             for (int i = film.first_of(pixel); i < film.first_of(pixel) + film.surfels_of(pixel); ++i) {
                 const ref::Cover expected =
@@ -39,27 +38,19 @@ TEST(CoverFilm, IsTheReferences) {
                     << "surfel " << i << " of pixel " << pixel << ", least error " << expected.least << ", " << name(c);
             }
         for (int i = film.surfels.count; i < film.surfels.capacity; ++i)
-            ASSERT_EQ(got[static_cast<std::size_t>(i)], 1) << "beyond the count";
+            ASSERT_EQ(got[static_cast<std::size_t>(i)], untouched) << "beyond the count";
     }
     EXPECT_GT(compared, 5000);
     EXPECT_GT(covered, 1000);
     EXPECT_GT(compared - covered, 800);
 }
 
-TEST(CoverFilm, SurfelsThatAreNotAskedForStayCovered) {
-    const MadeFilm film(37, 23, 8, 2, 42);
-    std::vector<unsigned char> asked = all(film);
-    for (std::size_t i = 0; i < asked.size(); i += 2) asked[i] = 0;
-    const std::vector<unsigned char> whole = uncovered(film, all(film)), half = uncovered(film, asked);
-    for (std::size_t i = 0; i < asked.size(); ++i) ASSERT_EQ(half[i], asked[i] ? whole[i] : 0) << "surfel " << i;
-}
-
 /// More error or a finer lattice never covers less.
 TEST(CoverFilm, IsMonotone) {
     MadeFilm film(37, 23, 8, 1, 43);
-    const std::vector<unsigned char> fine = uncovered(film, all(film)), generous = uncovered(film, all(film), 2 * most_error);
+    const std::vector<unsigned char> fine = uncovered(film), generous = uncovered(film, 2 * most_error);
     film.finest = 4;
-    const std::vector<unsigned char> coarse = uncovered(film, all(film));
+    const std::vector<unsigned char> coarse = uncovered(film);
     int less = 0;
     for (std::size_t i = 0; i < fine.size(); ++i) {
         EXPECT_LE(fine[i], coarse[i]) << "surfel " << i;
@@ -72,7 +63,7 @@ TEST(CoverFilm, IsMonotone) {
 TEST(CoverFilm, PermutingPencilsChangesNothing) {
     MadeFilm film(37, 23, 8, 2, 44);
     const std::vector<int> order = shuffled(film.random(), film.pencils.size());
-    EXPECT_EQ(uncovered(film, all(film)), uncovered(renumbered(film, order), all(film)));
+    EXPECT_EQ(uncovered(film), uncovered(renumbered(film, order)));
 }
 
 }  // namespace

@@ -37,13 +37,7 @@ TEST(EmitHemispheres, IsTheShareThatLightSamplesLeave) {
         for (const int count : {1, 5, 37}) {
             const int first = count % 4, texels = n * n;
             const std::vector<SurfacePencil> pencils = random_pencils(7, first + count);
-            MadeSurfels surfels(count * texels);
-            for (int i = 0; i < surfels.count; ++i) {
-                if (random.index(9) == 0) continue;  // saw nothing
-                surfels.place(i, random.in_box(-0.7, 0.7), random.direction(), 0, dvec3(0.5));
-                const int m = random.index(materials);
-                surfels.set_bits(SURFEL_MATERIAL, i, random.uniform() < 0.3 ? ~m : m);
-            }
+            const MadeSurfels surfels = seen_materials(random, count * texels, materials);
             Buffer<float> radiance = filled_rgb(surfels.capacity, start);
             emit_hemispheres(kernels, on_scene, surfels.on_device(), on_device(pencils, n), first,
                              Buffer<float>(device(), near_area, "near areas"), radiance);

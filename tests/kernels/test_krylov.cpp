@@ -75,6 +75,24 @@ TEST(Krylov, SolvesStiffRooms) {
     }
 }
 
+/// Light of one colour: the others hold what rounding leaves, whose inverse is beyond float.
+TEST(Krylov, ChannelsWithoutLightStayOut) {
+    for (const float nothing : {0.0F, 1e-35F, 1e-42F}) {
+        const TwoParts room{dvec3(0.999), 1e-3, 100};
+        Random random(2);
+        std::vector<float4> b = random_irradiance(random, 100);
+        for (float4& v : b) v.y = v.z = nothing;
+        const Solved s = solve(room, b);
+        for (int i = 0; i < 100; ++i) {
+            const float4& x = s.x[static_cast<std::size_t>(i)];
+            ASSERT_NEAR(x.x / exact(room, b, i).x, 1, 2e-3) << nothing << ", pencil " << i;
+            ASSERT_TRUE(x.y >= 0 && x.y <= 1e-30F && x.z >= 0 && x.z <= 1e-30F) << nothing << ", pencil " << i << ": " << x.y;
+        }
+        EXPECT_LE(s.report.error.x, 2e-3);
+        EXPECT_EQ(s.report.error.y, 0);
+    }
+}
+
 TEST(Krylov, WhatHasNoSumIsNamedAndAddsNothing) {
     const TwoParts room{dvec3(1.0, 0.5, 0.25), 0.1, 60};
     const Solved s = solve(room, std::vector<float4>(60, float4(1, 1, 1, 0)));

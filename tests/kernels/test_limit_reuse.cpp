@@ -38,8 +38,9 @@ TEST(LimitReuse, IsTheReferences) {
             double least = start, margin = HUGE_VAL;
             for (int dy = -reach; dy <= reach; ++dy)
                 for (int dx = -reach; dx <= reach; ++dx) {
-                    const int x = pixel % c.width + dx * c.finest, y = pixel / c.width + dy * c.finest;
-                    if (x < 0 || y < 0 || x >= c.width || y >= c.height) continue;
+                    const int x = ref::line_away(pixel % c.width, dx, c.finest, c.width);
+                    const int y = ref::line_away(pixel / c.width, dy, c.finest, c.height);
+                    if (x < 0 || y < 0) continue;
                     const int index = film.at[static_cast<std::size_t>(y * c.width + x)];
                     if (index < 0) continue;
                     const SurfacePencil& other = pencils[static_cast<std::size_t>(index)];

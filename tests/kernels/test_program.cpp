@@ -143,7 +143,8 @@ TEST_F(Program, UnknownNamesAreReported) {
 }
 
 TEST_F(Program, BuildFailureTellsFileLineDeviceAndOptions) {
-    const std::string file = write_file("broken.cl", "kernel void broken(global int *out)\n{\n    out[0] = no_such_variable;\n}\n");
+    const std::string file =
+        write_file("broken.cl", "kernel void broken(global int *out)\n{\n    out[0] = TEST_STEP * no_such_variable;\n}\n");
     const std::string message = error_of([&] { programs.kernel("broken", file, {{"TEST_STEP", "3"}}); });
     expect_contains(message, "broken.cl failed");
     expect_contains(message, device->info().name);
@@ -151,6 +152,16 @@ TEST_F(Program, BuildFailureTellsFileLineDeviceAndOptions) {
     expect_contains(message, "-D TEST_STEP=3");
     expect_contains(message, "broken.cl:3:");
     expect_contains(message, "no_such_variable");
+}
+
+/// Scenes that differ in what a program does not look at share it.
+TEST_F(Program, DefinesThatAreNotNamedAreLeftOut) {
+    const std::string file =
+        write_file("pasted.cl", "#define IS(NAME) TEST_IS_##NAME\nkernel void k(global int *out) { out[0] = IS(A_B) + broken; }\n");
+    const std::string message = error_of([&] { programs.kernel("k", file, {{"TEST_IS_A_B", "1"}, {"TEST_STEP", "3"}}); });
+    expect_contains(message, "-D TEST_IS_A_B=1");
+    EXPECT_EQ(message.find("TEST_STEP"), std::string::npos) << message;
+    EXPECT_EQ(message.find("undeclared identifier 'TEST_IS_A_B'"), std::string::npos) << message;
 }
 
 TEST_F(Program, WarningsAndForgottenDefinesDoNotBuild) {

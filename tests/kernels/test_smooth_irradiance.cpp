@@ -77,7 +77,6 @@ TEST(SmoothIrradiance, LinearIrradianceOnAPlaneIsKept) {
         if (film.at[static_cast<std::size_t>(pixel)] < 0) continue;
         const auto p = static_cast<std::size_t>(film.at[static_cast<std::size_t>(pixel)]);
         EXPECT_NEAR(fits[3 * p].x, irradiance[p].x, tolerance::held) << "pencil " << p;
-        if (pixel / film.width % 4 != 0) continue;  // the last row has no neighbours above
         EXPECT_NEAR(fits[3 * p + 1].x, glm::dot(gradient, frame.t), tolerance::held) << "slope along t of pencil " << p;
         EXPECT_NEAR(fits[3 * p + 2].x, glm::dot(gradient, frame.b), tolerance::held) << "slope along b of pencil " << p;
     }

@@ -2,6 +2,7 @@
 // surfel. Written from docs/overview.md ("The surface method") and the docstrings of the launchers.
 #pragma once
 
+#include <algorithm>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <vector>
@@ -46,6 +47,15 @@ struct Cover {
     double margin = 1.0;      // relative distance from the nearest decision
 };
 
+/// Lines of a lattice lie at 0, spacing, 2 spacing .. and at size - 1. The one that is `steps` away from that at `from`; -1: there is none.
+inline int line_away(int from, int steps, int spacing, int size) {
+    std::vector<int> lines;
+    for (int at = 0; at < size - 1; at += spacing) lines.push_back(at);
+    lines.push_back(size - 1);
+    const auto place = std::find(lines.begin(), lines.end(), from) - lines.begin() + steps;
+    return place >= 0 && place < static_cast<std::ptrdiff_t>(lines.size()) ? lines[static_cast<std::size_t>(place)] : -1;
+}
+
 /// How well the lattice covers a surfel of pixel (px, py).
 inline Cover cover(const Lattice& lattice, int px, int py, const dvec3& x, const dvec3& n) {
     Cover out;
@@ -83,8 +93,8 @@ inline Fit fit(const Lattice& lattice, const std::vector<float4>& irradiance, in
     Fit out;
     for (int dy = -smooth_reach; dy <= smooth_reach; ++dy)
         for (int dx = -smooth_reach; dx <= smooth_reach; ++dx) {
-            const int qx = px + dx * own.spacing, qy = py + dy * own.spacing;
-            if (qx < 0 || qy < 0 || qx >= lattice.width || qy >= lattice.height) continue;
+            const int qx = line_away(px, dx, own.spacing, lattice.width), qy = line_away(py, dy, own.spacing, lattice.height);
+            if (qx < 0 || qy < 0) continue;
             const int index = lattice.at[static_cast<std::size_t>(qy * lattice.width + qx)];
             if (index < 0) continue;
             const SurfacePencil& p = lattice.pencils[static_cast<std::size_t>(index)];

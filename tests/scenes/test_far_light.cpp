@@ -28,17 +28,16 @@ Scene thing_in_the_open(const SceneMaterial& material) {
 TEST(FarLight, WhiteThingsVanishInAnEvenSky) {
     SceneMaterial mirror = with_model(MATERIAL_CONDUCTOR), varnish = with_model(MATERIAL_PLASTIC), pane = with_model(MATERIAL_DIELECTRIC);
     mirror.perfect_mirror = varnish.nonlinear = pane.thin = true;
-    for (const SceneMaterial& m : {with_model(MATERIAL_DIFFUSE), mirror, pane}) {
+    for (const SceneMaterial& m : {with_model(MATERIAL_DIFFUSE), mirror, varnish, pane}) {
         SCOPED_TRACE("model " + std::to_string(m.model));
         RenderOptions options = compared_options();
         options.target_error = 1e6;
         expect_uniform(layer(render_layers(thing_in_the_open(m), options), ""), 1.0, 5e-3);
     }
-    // Of glass what goes round inside ends by chance, and chains ask where the light of a base comes from.
-    for (const SceneMaterial& m : {with_model(MATERIAL_DIELECTRIC), varnish}) {
-        const dvec3 mean = mean_radiance(layer(render_layers(thing_in_the_open(m), compared_options()), ""));
-        for (int c = 0; c < 3; ++c) EXPECT_NEAR(mean[c], 1.0, 0.01) << "model " << m.model;
-    }
+    // Of glass what goes round inside ends by chance.
+    RenderOptions options = compared_options();
+    const dvec3 mean = mean_radiance(layer(render_layers(thing_in_the_open(with_model(MATERIAL_DIELECTRIC)), options), ""));
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(mean[c], 1.0, 0.01);
 }
 
 /// A floor with a wall, seen from above, of materials that a test may change: 0 is the floor's.

@@ -66,10 +66,46 @@ TEST(FalseColour, PixelsAndLegend) {
     ASSERT_LT(bar, picture.width) << "no bar";
     EXPECT_LT(luminance(pixel(picture, bar + 2, height - 12)), luminance(pixel(picture, bar + 2, height / 2)));
     EXPECT_LT(luminance(pixel(picture, bar + 2, height / 2)), luminance(pixel(picture, bar + 2, 30)));
-    int ink = 0;
-    for (int y = 0; y < height; ++y)
-        for (int x = bar + 20; x < picture.width; ++x) ink += luminance(pixel(picture, x, y)) == 0 ? 1 : 0;
-    EXPECT_GT(ink, 100) << "numbers beside the bar";
+}
+
+/// Whether `text` stands in the picture with its upper left corner at (left, top): ink where it has dots, none beside them.
+bool spells(const Picture& picture, int left, int top, const std::string& text) {
+    std::vector<bool> dots(static_cast<std::size_t>(text_width(text) * glyph_height));
+    draw_text(text, [&](int x, int y) { dots[static_cast<std::size_t>(y * text_width(text) + x)] = true; });
+    for (int y = 0; y < glyph_height; ++y)
+        for (int x = 0; x < text_width(text); ++x) {
+            if (left + x >= picture.width || top + y >= picture.height) return false;
+            const bool ink = luminance(pixel(picture, left + x, top + y)) == 0;
+            if (ink != dots[static_cast<std::size_t>(y * text_width(text) + x)]) return false;
+        }
+    return true;
+}
+
+/// The rows in which `text` stands at this column.
+std::vector<int> rows_of(const Picture& picture, int column, const std::string& text) {
+    std::vector<int> rows;
+    for (int y = 0; y + glyph_height <= picture.height; ++y)
+        if (spells(picture, column, y, text)) rows.push_back(y);
+    return rows;
+}
+
+/// The column where numbers begin: all of them are written from there to the right.
+int column_of_numbers(const Picture& picture, int width, const std::string& last) {
+    for (int x = width; x < picture.width; ++x)
+        if (!rows_of(picture, x, last).empty()) return x;
+    return -1;
+}
+
+TEST(FalseColour, TheLegendNamesItsEnds) {
+    constexpr int width = 40, height = 200;
+    const Picture picture = false_colours(std::vector<float>(std::size_t(width) * height, 250.0F), width, height, "lx");
+    const int column = column_of_numbers(picture, width, "500");
+    ASSERT_GE(column, 0) << "no number of the last colour";
+    const std::vector<int> top = rows_of(picture, column, "500"), bottom = rows_of(picture, column, "0");
+    ASSERT_EQ(top.size(), 1U);
+    EXPECT_LT(top.front(), height / 4);
+    ASSERT_EQ(bottom.size(), 1U);
+    EXPECT_GT(bottom.front(), height * 3 / 4);
 }
 
 TEST(FalseColour, SmallPicturesHaveALegendToo) {
@@ -94,6 +130,8 @@ TEST(FalseColour, EveryCharacterOfNumbersAndUnitsHasAGlyph) {
 TEST(FalseColour, NamesOfPngsChooseTheLayer) {
     EXPECT_EQ(layer_of_name("a/room.illuminance.png"), "illuminance");
     EXPECT_EQ(layer_of_name("room.luminance.PNG"), "luminance");
+    EXPECT_EQ(layer_of_name("room.Illuminance.png"), "illuminance");
+    EXPECT_EQ(photometric_word("room.ILLUMINANCE.exr"), "illuminance");
     EXPECT_EQ(layer_of_name("room.illuminance.exr"), "");
     EXPECT_EQ(layer_of_name("room.png"), "");
     EXPECT_EQ(layer_of_name("illuminance.png"), "");

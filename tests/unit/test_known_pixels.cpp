@@ -31,7 +31,7 @@ TEST(KnownPixels, IntervalsHoldTheError) {
         constexpr int runs = 400;
         for (unsigned run = 0; run < runs; ++run) {
             const CertifiedError found = certified(bias, 0.3, 50, run);
-            EXPECT_EQ(found.points, 200);
+            EXPECT_EQ(found.points, 100);
             mean += found.relmse / runs;
             squares_held += std::abs(found.relmse - expected) <= interval_errors * found.standard_error ? 1 : 0;
             steps_held += std::abs(found.mean_bias - bias) <= interval_errors * found.mean_error ? 1 : 0;
@@ -47,7 +47,7 @@ TEST(KnownPixels, NothingIsKnownOfWhatWasSeenOnce) {
     std::vector<PixelLooks> some = looks(0.1, 0.0, 10, 1);
     some[2] = PixelLooks();
     const CertifiedError found = certify_pixels(some, std::vector<float>(12, 1.0F), 1.0);
-    EXPECT_EQ(found.points, 30);
+    EXPECT_EQ(found.points, 15);
     EXPECT_NEAR(found.relmse, 0.01 / 1.01, 1e-12);
     EXPECT_NEAR(found.standard_error, 0, 1e-9);
 }

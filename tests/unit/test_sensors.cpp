@@ -74,21 +74,57 @@ TEST_F(Sensors, DefectsNameTheLineAndWhatIsExpected) {
     EXPECT_TRUE(says(grid_defect("0,0,0;1,0,0;0,1,0;3"), "is not origin;u;v;columns;rows"));
     EXPECT_TRUE(says(grid_defect("0,0,0;1,0,0;0,1,0;0;3"), "1 to 1000000"));
     EXPECT_TRUE(says(grid_defect("0,0;1,0,0;0,1,0;3;3"), "is not origin;u;v;columns;rows"));
+    EXPECT_TRUE(says(grid_defect("0,0;0,1,0,0;0,1,0;1;1"), "is not origin;u;v;columns;rows")) << "as many numbers, but not in their parts";
+    EXPECT_TRUE(says(grid_defect("0,,0;1,0,0;0,1,0;3;3"), "a field between commas is empty"));
+}
+
+TEST_F(Sensors, NothingIsTakenForWhatItIsNot) {
+    EXPECT_NE(defect("1,2,,0,0,1,5\n").find("points.csv:1: \"1,2,,0,0,1,5\": a field between commas is empty"), std::string::npos);
+    EXPECT_NE(defect("1,2,3,0,0,1,\n"), "");
+    EXPECT_NE(defect("0;0;1;0;0;1\n1,2,3,0,0,1\n"), "") << "no names of columns";
+    EXPECT_NE(defect("x,y,z\n1,2,3,0,0,1\n"), "") << "too few names";
+    EXPECT_NE(defect("1,2,3,0,0,1\nx,y,z,nx,ny,nz\n"), "") << "names after numbers";
+    EXPECT_EQ(points("\xEF\xBB\xBF"
+                     "1,2,3,0,0,1\n")
+                  .size(),
+              1U)
+        << "a mark of UTF-8, as spreadsheets write it";
+    EXPECT_EQ(points("\xEF\xBB\xBFx,y,z,nx,ny,nz\n1,2,3,0,0,1\n").size(), 1U);
+}
+
+LoadOptions without_camera() {
+    LoadOptions options;
+    options.camera = false;
+    options.strict = true;
+    return options;
+}
+
+/// A scene with a meter has no camera: that matters where pictures are taken.
+TEST_F(Sensors, ACameraIsMissedByWhoNeedsIt) {
+    const std::string text =
+        "<scene version=\"3.0.0\"><shape type=\"rectangle\"><sensor type=\"irradiancemeter\" id=\"a\"/></shape></scene>";
+    const Scene scene = load_text(text);
+    ASSERT_EQ(scene.warnings.size(), 1U);
+    EXPECT_NE(scene.warnings.front().find("the scene has no sensor"), std::string::npos) << scene.warnings.front();
+    EXPECT_TRUE(load_text(text, without_camera()).warnings.empty());
 }
 
 TEST_F(Sensors, MetersOfAScene) {
     const Scene scene = load_text(
         "<scene version=\"3.0.0\">\n<shape type=\"rectangle\"/>\n<shape type=\"rectangle\" id=\"desk\">"
         "<sensor type=\"irradiancemeter\" id=\"on, the desk\"><film type=\"hdrfilm\"/></sensor></shape>\n"
-        "<shape type=\"cube\"><sensor type=\"irradiancemeter\"/></shape>\n</scene>");
+        "<shape type=\"cube\"><sensor type=\"irradiancemeter\"/></shape>\n"
+        "<shape type=\"cube\"><sensor type=\"irradiancemeter\" id=\"1\"/></shape>\n</scene>",
+        without_camera());
     EXPECT_TRUE(scene.warnings.empty()) << scene.warnings.front();
     const std::vector<Sensor> sensors = all_sensors(points("1,2,3,0,0,1\n"), scene);
-    ASSERT_EQ(sensors.size(), 3U);
+    ASSERT_EQ(sensors.size(), 4U);
     EXPECT_EQ(sensors[0].name, "1");
     EXPECT_EQ(sensors[1].name, "on, the desk");
     EXPECT_EQ(sensors[1].place.shape, 1);
     EXPECT_EQ(sensors[2].name, "cube 1");
     EXPECT_EQ(sensors[2].place.shape, 2);
+    EXPECT_EQ(sensors[3].name, "meter 1") << "not that of the first point";
     expect_approximation("<shape type=\"rectangle\"><sensor type=\"radiancemeter\"/></shape>\n", 3, "inside a shape is not supported");
 }
 
@@ -102,6 +138,24 @@ TEST_F(Sensors, ATableOfWhatWasMeasured) {
               "sensor,x,y,z,nx,ny,nz,illuminance,low,high,direct,indirect\n"
               "1,0.5,-2,3,0,0,1,100,99,101,60,40\n"
               "\"on, the \"\"desk\"\"\",,,,,,,7.5,0,20,0,7.5\n");
+}
+
+/// Names come from scenes that nobody has checked.
+TEST_F(Sensors, ATableHoldsNoFormulas) {
+    Measurements found;
+    found.sensors = {{1, 1, 1, 1}};
+    const auto name_in_table = [&](const std::string& name) {
+        Sensor meter{name, {}};
+        meter.place.shape = 0;
+        const std::string csv = measurements_csv({meter}, found);
+        const std::size_t begin = csv.find('\n') + 1;
+        return csv.substr(begin, csv.find(",,,,,,") - begin);
+    };
+    EXPECT_EQ(name_in_table("=cmd()"), "'=cmd()");
+    for (const char* name : {"+1", "-1", "@a"}) EXPECT_EQ(name_in_table(name), "'" + std::string(name));
+    EXPECT_EQ(name_in_table("=a,\"b\""), "\"'=a,\"\"b\"\"\"");
+    EXPECT_EQ(name_in_table("desk\x1b[2J\n"), "desk\\x1b[2J\\x0a");
+    EXPECT_EQ(name_in_table("desk"), "desk");
 }
 
 }  // namespace

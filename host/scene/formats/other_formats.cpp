@@ -17,17 +17,6 @@ bool begins_with(std::string_view text, std::string_view start) { return text.su
 
 bool contains(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
 
-/// The first line that is neither empty nor a comment.
-std::string_view first_statement(std::string_view head) {
-    while (!head.empty()) {
-        const std::size_t end = std::min(head.find('\n'), head.size());
-        const std::string_view line = trimmed(head.substr(0, end));
-        if (!line.empty() && line[0] != '#') return line;
-        head.remove_prefix(std::min(end + 1, head.size()));
-    }
-    return {};
-}
-
 /// `words` are separated by blanks.
 bool is_one_of(std::string_view word, std::string_view words) {
     const std::vector<std::string_view> list = tokens(words);

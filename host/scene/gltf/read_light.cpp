@@ -20,7 +20,7 @@ public:
         const std::optional<glm::dmat4> frame = turned_frame(to_world);
         if (!frame) file_.fail(label_ + " stands at a node without directions: its scale is zero");
         const glm::dvec3 position((*frame)[3]);
-        scene.photometric = true;
+        ++scene.photometric_lights;
         if (!is_in_range(position)) file_.fail(label_ + " lies further than 1e18 from the origin");
         const glm::vec3 strength = colour() * static_cast<float>(intensity() / lumen_per_watt);
         if (light_.range > 0) file_.approximate("the range of lights is left out: they reach infinitely far");

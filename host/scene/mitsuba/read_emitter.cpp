@@ -135,7 +135,7 @@ void EmitterReader::photometric(Properties& p) {
     light.position = glm::dvec3(to_world[3]);
     light.to_world = rotation_of(p, to_world);
     constexpr double lumens_per_watt = 683;
-    scene_.photometric = scene_.photometric || !p.has("intensity");
+    scene_.photometric_lights += p.has("intensity") ? 0 : 1;
     light.intensity = p.colour("intensity", glm::vec3(static_cast<float>(data.candela / lumens_per_watt)), ColourUse::emission);
     light.profile = static_cast<int>(scene_.profiles.size());
     scene_.profiles.push_back(data.profile);

@@ -17,8 +17,9 @@ namespace {
 
 class SceneReader {
 public:
-    explicit SceneReader(XmlSource& source)
+    SceneReader(XmlSource& source, bool camera)
         : source_(source),
+          camera_(camera),
           textures_(source, scene_),
           bsdfs_(source, scene_, textures_),
           emitters_(source, scene_, textures_),
@@ -74,6 +75,7 @@ private:
     }
 
     void judge_sensors() {
+        if (!camera_) return;
         for (const pugi::xml_node node : without_picture_)
             if (has_sensor_)
                 source_.approximate(node, "sensor type " + in_quotes(node.attribute("type").value()) + " takes no picture: left out");
@@ -81,12 +83,12 @@ private:
                 source_.problems().attempt([&] { read_sensor(source_, node); });  // says what is supported
         if (has_sensor_ || source_.problems().has_errors()) return;
         if (scene_.triangles.empty()) throw SceneError(shown(source_.file()), "the scene has no sensor; add <sensor type=\"perspective\">");
-        if (scene_.meters.empty())
-            source_.approximate(source_.root(), "the scene has no sensor: one is added that sees all shapes from -z, as in Mitsuba");
+        source_.approximate(source_.root(), "the scene has no sensor: one is added that sees all shapes from -z, as in Mitsuba");
         scene_.sensor = default_sensor(scene_);
     }
 
     XmlSource& source_;
+    bool camera_;
     Scene scene_;
     TextureReader textures_;
     BsdfReader bsdfs_;
@@ -100,7 +102,7 @@ private:
 
 Scene read_mitsuba(const std::filesystem::path& file, const LoadOptions& options) {
     XmlSource source(file, options);
-    return SceneReader(source).read();
+    return SceneReader(source, options.camera).read();
 }
 
 }  // namespace pencil

@@ -6,20 +6,6 @@
 #include "scene/text.h"
 
 namespace pencil {
-namespace {
-
-/// The first line that is neither empty nor a comment.
-std::string_view first_statement(std::string_view head) {
-    while (!head.empty()) {
-        const std::size_t end = std::min(head.find('\n'), head.size());
-        const std::string_view line = trimmed(head.substr(0, end));
-        if (!line.empty() && line[0] != '#') return line;
-        head.remove_prefix(std::min(end + 1, head.size()));
-    }
-    return {};
-}
-
-}  // namespace
 
 bool is_ply(std::string_view head) { return head.substr(0, 3) == "ply" && (head.size() == 3 || trimmed(head.substr(3, 1)).empty()); }
 

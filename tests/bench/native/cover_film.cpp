@@ -10,7 +10,6 @@ void cover_film(const LatticeView& film, float most_error, unsigned char* uncove
         [&](int begin, int end) {
             for (int pixel = begin; pixel < end; ++pixel)
                 for (int i = film.first[pixel]; i < film.first[pixel] + (film.counts[pixel] & FILM_COUNT_MASK); ++i) {
-                    if (!uncovered[i]) continue;
                     const Vec3 x = vector_at(film.surfels, SURFEL_X, i), n = vector_at(film.surfels, SURFEL_NX, i);
                     float least = infinite;
                     visit_corners(

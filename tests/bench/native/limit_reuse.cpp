@@ -9,14 +9,11 @@ constexpr int reach = 2;
 
 float limit(const LatticeView& film, int pixel, int spacing, float least) {
     const SurfacePencil& own = film.pencils[film.at[pixel]];
-    const int column = pixel % film.width, row = pixel / film.width;
-    for (int y = row - reach * spacing; y <= row + reach * spacing; y += spacing)
-        for (int x = column - reach * spacing; x <= column + reach * spacing; x += spacing) {
-            if (x < 0 || y < 0 || x >= film.width || y >= film.height || film.at[y * film.width + x] < 0) continue;
-            const SurfacePencil& other = film.pencils[film.at[y * film.width + x]];
-            const float distance = reuse_distance(other, xyz(own.position), xyz(own.normal));
-            if (distance < infinite) least = std::min(least, other.emitters + distance);
-        }
+    visit_neighbours(film, pixel % film.width, pixel / film.width, reach, spacing, [&](int index) {
+        const SurfacePencil& other = film.pencils[index];
+        const float distance = reuse_distance(other, xyz(own.position), xyz(own.normal));
+        if (distance < infinite) least = std::min(least, other.emitters + distance);
+    });
     return least;
 }
 

@@ -8,6 +8,7 @@ namespace {
 
 constexpr int most_vectors = 16 / lane_count + 1;  // of a packet of at most 16 surfels
 constexpr float inverse_pi = 0.318309886F;
+constexpr float even = 0.25F;  // of the draws
 
 /// Surfels that draw together: their first lanes in vectors, the others masked.
 struct Packet {
@@ -78,12 +79,18 @@ void sample_lights(const SceneView& scene, const BvhView& bvh, const SurfelsView
                     for (int i = three; i < std::min(three + 3, sample_count); ++i) visit(static_cast<std::size_t>(i));
             };
             float total = 0.0F, sum = 0.0F;
-            for_candidates([&](std::size_t i) { total += shares[i] = importance(p, samples[i]); });
+            int reaching = 0;
+            for_candidates([&](std::size_t i) {
+                total += shares[i] = importance(p, samples[i]);
+                reaching += shares[i] > 0.0F ? 1 : 0;
+            });
             if (!(total > 0.0F)) continue;
+            const float share = even * total / static_cast<float>(reaching);
             const float interval = total / static_cast<float>(draws);
             float next = interval * unit(hash_uint(random));
             for_candidates([&](std::size_t i) {
-                sum += shares[i];
+                if (!(shares[i] > 0.0F)) return;
+                sum += shares[i] = (1.0F - even) * shares[i] + share;
                 int drawn = 0;
                 for (; next < sum; next += interval) ++drawn;
                 if (drawn != 0)

@@ -55,20 +55,17 @@ void smooth_irradiance(const LatticeView& film, const float4* irradiance, float 
                 tangent_frame(n, t, b);
                 const float unit = own.facing.w;
                 Sums sums;
-                for (int dy = -smooth_reach; dy <= smooth_reach; ++dy)
-                    for (int dx = -smooth_reach; dx <= smooth_reach; ++dx) {
-                        const int px = pixel % film.width + own.spacing * dx, py = pixel / film.width + own.spacing * dy;
-                        if (px < 0 || py < 0 || px >= film.width || py >= film.height) continue;
-                        const int other = film.at[py * film.width + px];
-                        if (other < 0) continue;
+                visit_neighbours(
+                    film, pixel % film.width, pixel / film.width, smooth_reach, own.spacing,
+                    [&](int other) {
                         const SurfacePencil& p = film.pencils[other];
                         const float distance = reuse_distance(p, x, n);
-                        if (distance == infinite) continue;
+                        if (distance == infinite) return;
                         const float error = reuse_error(p, distance, n) + reuse_error(own, distance, n);
                         const Vec3 step = xyz(p.position) - x;
                         sums.add(std::max(1.0F - error / (2.0F * most_error), 0.0F), dot(step, t) / unit, dot(step, b) / unit,
                                  load4(irradiance[other]));
-                    }
+                    });
                 sums.solve(std::max(position_error(x) / unit, 1e-6F), unit, fits + 3 * static_cast<std::size_t>(index));
             }
         });

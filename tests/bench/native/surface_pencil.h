@@ -63,6 +63,22 @@ inline float reuse_error(const SurfacePencil& p, float distance, const Vec3& n) 
     return distance / p.facing.w + turn * std::sqrt(std::max(1.0F - dot(xyz(p.normal), n), 0.0F));
 }
 
+/// Line of a lattice, at 0, spacing, 2 spacing .. and size - 1, that is `steps` away from that at `from`; -1: there is none.
+inline int line_away(int from, int steps, int spacing, int size) {
+    const int place = (from + spacing - 1) / spacing + steps;
+    return place >= 0 && place <= (size + spacing - 2) / spacing ? std::min(place * spacing, size - 1) : -1;
+}
+
+/// visit(pencil) for the pencils up to `reach` lattice points away from that of pixel (x, y).
+template <typename Visit>
+void visit_neighbours(const LatticeView& film, int x, int y, int reach, int spacing, const Visit& visit) {
+    for (int dy = -reach; dy <= reach; ++dy)
+        for (int dx = -reach; dx <= reach; ++dx) {
+            const int px = line_away(x, dx, spacing, film.width), py = line_away(y, dy, spacing, film.height);
+            if (px >= 0 && py >= 0 && film.at[py * film.width + px] >= 0) visit(film.at[py * film.width + px]);
+        }
+}
+
 /// visit(pencil, corner pixel's x and y, spacing) for the pencils at the lattice points about pixel (x, y).
 template <typename Visit>
 inline void visit_corners(const LatticeView& film, int x, int y, const Visit& visit) {

@@ -1,0 +1,65 @@
+// What options say together, after each has been read by itself.
+#include <algorithm>
+#include <stdexcept>
+
+#include "app/options.h"
+#include "image/write_image.h"
+#include "options/render_option_table.h"
+
+namespace pencil {
+
+namespace {
+
+/// Layers that names of PNGs ask for.
+void add_named_layers(const std::vector<std::filesystem::path>& outputs, std::vector<std::string>& layers) {
+    for (const std::filesystem::path& output : outputs) {
+        const std::string name = output.has_extension() ? layer_of_name(output) : "";
+        if (!name.empty() && !has_group(layers, name)) layers.push_back(name);
+    }
+}
+
+bool is_given(const std::string& flag, const std::vector<Option>& table, const Given& given) {
+    return std::any_of(
+        table.begin(), table.end(), [&](const Option& row) { return row.flag == flag && given(row); });
+}
+
+}  // namespace
+
+void settle(RenderCommand& command, const std::vector<Option>& table, const Given& given) {
+    const std::string line = to_string(MethodName::line);
+    bool named = false, of_line = false;
+    for (const Option& row : table) {
+        named = named || (row.flag == "--method" && given(row));
+        of_line = of_line || (row.method == line && given(row));
+    }
+    if (!named && of_line) command.options.method = MethodName::line;
+    add_named_layers(command.outputs, command.options.aovs);
+    const std::string method = to_string(command.options.method);
+    for (const Option& row : table)
+        if (given(row) && !row.method.empty() && row.method != method)
+            throw std::invalid_argument(row.flag + ": is not an option of --method " + method);
+}
+
+void settle(ReferenceCommand& command, const std::vector<Option>& table, const Given& given) {
+    add_named_layers(command.outputs, command.aovs);
+    const auto has = [&](const std::string& flag) { return is_given(flag, table, given); };
+    if (has("--spp") && has("--time")) throw std::invalid_argument("--time excludes --spp");
+}
+
+void settle(MeasureCommand& command, const std::vector<Option>& table, const Given& given) {
+    const auto has = [&](const std::string& flag) { return is_given(flag, table, given); };
+    const bool target = has("--target-error");
+    if (target && has("--time")) throw std::invalid_argument("--time excludes --target-error");
+    if (target && command.method == MeasureMethod::reference)
+        throw std::invalid_argument("--target-error: is not an option of --method reference");
+    if (has("--device") && command.method == MeasureMethod::reference)
+        throw std::invalid_argument("--device: is not an option of --method reference");
+    command.options.seconds = target ? 0 : command.seconds;
+}
+
+void settle(StressCommand& command, const std::vector<Option>&, const Given&) {
+    if (command.json && command.markdown) throw std::invalid_argument("--json excludes --markdown");
+    if (command.all && !command.cases.empty()) throw std::invalid_argument("--all excludes --case");
+}
+
+}  // namespace pencil

@@ -1,0 +1,41 @@
+// Whether the passes so far are enough, where no time is given: by the estimated error, or because it falls no further.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "certify/error_check.h"
+
+namespace pencil {
+
+/// What passes say of themselves so far.
+struct PassesSoFar {
+    int passes;
+    double error;       // estimated relMSE
+    double mean_error;  // of the mean of all pixels, relative to it, as Student's distribution widens it
+    CertifiedError certified;
+};
+
+/// Two passes agree by chance too often.
+constexpr int least_passes = 3;
+
+class Patience {
+public:
+    explicit Patience(double target_error) : target_(target_error) {}
+
+    /// Asked after each pass. A reason where the target has not been met.
+    struct Answer {
+        bool enough;
+        std::optional<std::string> reason;
+    };
+    Answer ask(const PassesSoFar& so_far);
+
+private:
+    bool knows_the_mean(const PassesSoFar& so_far) const;
+
+    double target_;
+    int error_passes_ = 0;   // a power of two,
+    double last_error_ = 0;  // after which the error was this
+};
+
+}  // namespace pencil
