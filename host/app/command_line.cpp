@@ -78,9 +78,8 @@ std::string names(const std::vector<SubCommand>& commands) {
 }  // namespace
 
 const char* const exit_codes =
-    "Exit status: 0 ok, 2 usage, 3 scene, 4 device, 5 memory, 6 output, 7 interrupted with the partial result written, 8 the image is "
-    "written "
-    "but its reflections have no sum (a warning says why), 9 a case of stress fails.";
+    "Exit status: 0 ok, 2 usage, 3 scene, 4 device, 5 memory, 6 output, 7 interrupted with the partial result written, 8 the image "
+    "is written but its reflections have no sum (a warning says why), 9 a case of stress fails.";
 
 std::vector<SubCommand> sub_commands() {
     return {sub_command("render", "Render a scene to image files", run_render),

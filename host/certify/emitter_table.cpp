@@ -1,7 +1,10 @@
 #include "certify/emitter_table.h"
 
+#include <algorithm>
+
 #include "image/colour.h"
 #include "pencils/flat_sky.h"
+#include "scene/light_chances.h"
 
 namespace pencil {
 
@@ -9,8 +12,6 @@ namespace {
 
 /// Intensity of a uniform sphere of radiance L and area A is L A / 4.
 constexpr double sphere_area = 4;
-/// Share of the paths that choose among lights alike: the strongest may be in another room.
-constexpr double even_share = 0.2;
 
 Emitter triangle_emitter(int triangle) {
     Emitter e{};
@@ -58,23 +59,22 @@ public:
         emitters.push_back(emitter);
         powers_.push_back(power);
         lights_.push_back(light);
-        total_ += power;
-        if (light >= of_light_.size()) of_light_.resize(light + 1, 0.0);
-        count_ += of_light_[light] == 0 ? 1 : 0;
+        of_light_.resize(std::max(of_light_.size(), light + 1), 0.0);
         of_light_[light] += power;
     }
-    /// Chance of an emitter for each unit of its power.
-    double factor(std::size_t light) const {
-        if (light >= of_light_.size() || of_light_[light] == 0) return 0;
-        return (1 - even_share) / total_ + even_share / (static_cast<double>(count_) * of_light_[light]);
-    }
+    /// Chances, when all are there.
     void write_chances() {
+        for (const double power : of_light_) chances_.add(power);
         double up_to = 0;
         for (std::size_t i = 0; i < emitters.size(); ++i) {
-            const double chance = powers_[i] * factor(lights_[i]);
+            const double chance = powers_[i] * per_power(lights_[i]);
             emitters[i].chance = static_cast<float>(chance);
             emitters[i].emission.w = static_cast<float>(up_to += chance);
         }
+    }
+    /// Chance of an emitter of a light for each unit of its power.
+    double per_power(std::size_t light) const {
+        return light < of_light_.size() && of_light_[light] > 0 ? chances_.per_power(of_light_[light]) : 0;
     }
 
     std::vector<Emitter> emitters;
@@ -82,8 +82,7 @@ public:
 private:
     std::vector<double> powers_, of_light_;
     std::vector<std::size_t> lights_;
-    double total_ = 0;
-    int count_ = 0;
+    LightChances chances_;
 };
 
 }  // namespace
@@ -111,10 +110,10 @@ EmitterTable tabulate_emitters(const Scene& scene, const FlatScene& flat) {
         powers.add(sky_emitter(column, row), sky_area * sampled_texel_power(flat.sky, flat.sky_texels, i), light);
     }
     powers.write_chances();
-    EmitterTable table{std::move(powers.emitters), {}, sky_area * powers.factor(light)};
+    EmitterTable table{std::move(powers.emitters), {}, sky_area * powers.per_power(light)};
     for (std::size_t row = 0; row < flat.materials.size(); ++row) {
         const int shape = flat.row_shapes[row];
-        const double density = shape < 0 ? 0 : radiance(row) * powers.factor(static_cast<std::size_t>(shape));
+        const double density = shape < 0 ? 0 : radiance(row) * powers.per_power(static_cast<std::size_t>(shape));
         table.densities.push_back(static_cast<float>(density));
     }
     return table;

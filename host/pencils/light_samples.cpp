@@ -9,6 +9,7 @@
 #include "pencils/flat_sky.h"
 #include "pencils/low_discrepancy.h"
 #include "pencils/warps.h"
+#include "scene/light_chances.h"
 #include "scene/texture_lookup.h"
 
 namespace pencil {
@@ -61,11 +62,10 @@ struct ShapeTriangles {
     std::vector<const Triangle*> triangles;
     std::vector<double> up_to;  // weight of the triangles up to and with this one: without receivers their area
 
+    double power() const { return pi * area * luminance; }
     double weight(std::size_t t) const { return up_to[t] - (t > 0 ? up_to[t - 1] : 0.0); }
 };
 
-/// Share of the samples that all shapes get alike.
-constexpr double even_share = 0.2;
 /// Share of a shape's samples that goes by area: what none of the receivers sees may light others.
 constexpr double share_by_area = 0.15;
 
@@ -245,17 +245,16 @@ std::vector<LightSample> sample_lights(const Scene& scene, const FlatScene& flat
     }
     // The sky's share of the samples is as if it lit the whole scene from outside.
     const double sky = sampled_sky_power(flat.sky, flat.sky_texels) * cross_section(flat);
-    // Each emitting shape gets samples in proportion to its power, but for a share that all have alike, since the strongest may be in another
-    // room; at least one, spread over its triangles by area.
-    std::vector<ShapeTriangles> emitters = emitting_shapes(scene, flat, forms, receivers);
-    double total = sky;
-    for (const ShapeTriangles& e : emitters) total += pi * e.area * e.luminance;
+    // Each emitting shape gets samples by its chance, at least one, spread over its triangles by area.
+    const std::vector<ShapeTriangles> emitters = emitting_shapes(scene, flat, forms, receivers);
+    LightChances chances;
+    chances.add(sky);
+    for (const ShapeTriangles& e : emitters) chances.add(e.power());
     for (const ShapeTriangles& e : emitters) {
-        const double share = (1 - even_share) * pi * e.area * e.luminance / total + even_share / static_cast<double>(emitters.size());
-        const long own = std::max(std::lround(share * count), 1L);
+        const long own = std::max(std::lround(chances.of(e.power()) * count), 1L);
         sample_shape(e, scene, flat, {own, hash64(seed) ^ e.shape, turn}, samples);
     }
-    if (sky > 0) sample_sky(flat.sky, flat.sky_texels, sky_samples(sky / total, count), seed, turn, samples);
+    if (sky > 0) sample_sky(flat.sky, flat.sky_texels, sky_samples(chances.of(sky), count), seed, turn, samples);
     return samples;
 }
 

@@ -14,7 +14,8 @@ namespace {
 
 int flags_of(const SceneMaterial& m) {
     return (m.beckmann ? MATERIAL_BECKMANN : 0) | (m.nonlinear ? MATERIAL_NONLINEAR : 0) | (m.thin ? MATERIAL_THIN : 0) |
-           (m.perfect_mirror ? MATERIAL_MIRROR : 0) | (m.bump ? MATERIAL_BUMP : 0) | (m.weight_is_opacity ? MATERIAL_OPACITY : 0);
+           (m.perfect_mirror ? MATERIAL_MIRROR : 0) | (m.bump ? MATERIAL_BUMP : 0) | (m.weight_is_opacity ? MATERIAL_OPACITY : 0) |
+           (m.y_against_v ? MATERIAL_Y_UP : 0);
 }
 
 void set_textures(const SceneMaterial& m, Material& row) {

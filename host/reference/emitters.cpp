@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "reference/lamp.h"
+#include "scene/light_chances.h"
 #include "scene/light_unit.h"
 #include "scene/texture_lookup.h"
 
@@ -47,28 +48,6 @@ std::vector<double> point_powers(const Scene& scene, const RayScene& ray_scene) 
     return powers;
 }
 
-/// Share of the samples that all lights have alike: the strongest may be in another room.
-constexpr double even_share = 0.2;
-
-/// Chances of lights, mostly in proportion to their power.
-class LightChances {
-public:
-    LightChances(const std::vector<double>& shapes, const std::vector<double>& points) {
-        for (const std::vector<double>* powers : {&shapes, &points})
-            for (const double power : *powers) {
-                total_ += std::max(power, 0.0);
-                count_ += power > 0 ? 1 : 0;
-            }
-    }
-    bool empty() const { return count_ == 0; }
-    /// Chance for each unit of the power of a light that has so much in all.
-    double factor(double power) const { return (1 - even_share) / total_ + even_share / (count_ * power); }
-
-private:
-    double total_ = 0;
-    int count_ = 0;
-};
-
 }  // namespace
 
 Emitters::Emitters(const Scene& scene, RayScene& ray_scene) : ray_scene_(ray_scene), profiles_(scene.profiles) {
@@ -81,7 +60,9 @@ void Emitters::add_finite(const Scene& scene) {
     for (const SurfaceEmission& e : ray_scene_.emission())
         means.push_back(mean(e.texture == no_texture ? e.radiance : e.radiance * mean_colour(ray_scene_.surfaces().texture(e.texture))));
     const std::vector<double> of_shape = shape_powers(ray_scene_, means), of_point = point_powers(scene, ray_scene_);
-    const LightChances chances(of_shape, of_point);
+    LightChances chances;
+    for (const double power : of_shape) chances.add(power);
+    for (const double power : of_point) chances.add(power);
     far_share_ = far_up_to_.empty() ? 0 : chances.empty() ? 1 : 0.5;
     environment_share_ *= static_cast<float>(far_share_);
     double up_to = 0;
@@ -90,12 +71,12 @@ void Emitters::add_finite(const Scene& scene) {
         const double power = pi * area(t) * means[t.shape];
         if (!(power > 0)) continue;
         triangles_.push_back(static_cast<std::uint32_t>(i));
-        up_to_.push_back(up_to += power * chances.factor(of_shape[t.shape]));
+        up_to_.push_back(up_to += power * chances.per_power(of_shape[t.shape]));
     }
     for (std::size_t i = 0; i < of_point.size(); ++i) {
         if (!(of_point[i] > 0)) continue;
         const PointLight& light = scene.point_lights[i];
-        const double chance = of_point[i] * chances.factor(of_point[i]);
+        const double chance = chances.of(of_point[i]);
         points_.push_back({ray_scene_.to_scene(light.position), intensity_of(light, ray_scene_),
                            static_cast<float>(chance * (1 - far_share_)), is_shaped(light) ? &light : nullptr,
                            glm::inverse(light.to_world)});
@@ -103,7 +84,7 @@ void Emitters::add_finite(const Scene& scene) {
     }
     for (std::size_t i = 0; i < means.size(); ++i)
         if (of_shape[i] > 0)
-            ray_scene_.emission()[i].light_density = static_cast<float>(pi * means[i] * chances.factor(of_shape[i]) * (1 - far_share_));
+            ray_scene_.emission()[i].light_density = static_cast<float>(pi * means[i] * chances.per_power(of_shape[i]) * (1 - far_share_));
 }
 
 void Emitters::add_far(const Scene& scene) {

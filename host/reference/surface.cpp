@@ -23,7 +23,10 @@ ShadingFrame shading_frame(const RayScene& scene, const RayHit& hit, const Surfa
         turned = glm::cross(dp_du, dp_dv);
         if (glm::dot(turned, front * hit.normal) < 0.0F) turned = -turned;
     } else {
-        turned = ShadingFrame(n, point.dp_du).to_world(2.0F * glm::vec3(look_up(texture, point.uv, point.colour)) - 1.0F);
+        glm::vec3 local = 2.0F * glm::vec3(look_up(texture, point.uv, point.colour)) - 1.0F;
+        const bool along_v = glm::dot(glm::cross(n, point.dp_du), point.dp_dv) > 0.0F;
+        if (side.source->y_against_v && along_v) local.y = -local.y;
+        turned = ShadingFrame(n, point.dp_du).to_world(local);
     }
     if (!(glm::dot(turned, turned) > 0.0F)) return {hit.shading, point.dp_du};
     return {front * glm::normalize(turned), point.dp_du};

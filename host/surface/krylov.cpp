@@ -176,14 +176,14 @@ KrylovReport solve_reflections(Kernels& kernels, const Transport& transport, con
     Buffer<float4> x(kernels.device(), size, "sum of reflections"), residual(kernels.device(), size, "residual of reflections");
     x.fill_zero();
     residual.copy_from(b, 0, 0, size);
-    for (double error = HUGE_VAL, last = HUGE_VAL; error > tolerance && report.applications < most;) {
+    for (double error = HUGE_VAL; error > tolerance && report.applications < most;) {
         Cycle cycle(kernels, transport, residual, count);
         fill(cycle, norm_of(x), tolerance, most, report);
         cycle.add_solution(report.spectral_radius, x);
         find_residual(kernels, transport, b, x, count, residual);
         ++report.applications;
         report.error = error_of(norm_of(residual), report.spectral_radius, norm_of(x));
-        last = std::exchange(error, largest(report.error));
+        const double last = std::exchange(error, largest(report.error));
         if (error >= falling * last) break;
     }
     combine_irradiance(kernels, x, {glm::dvec3(1)}, count, total);

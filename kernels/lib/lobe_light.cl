@@ -89,7 +89,7 @@ static inline SurfelPacket turned_to(const SurfelPacket *s, vint passes, vfloat 
     t.nx = select(s->nx, -s->nx, behind);
     t.ny = select(s->ny, -s->ny, behind);
     t.nz = select(s->nz, -s->nz, behind);
-    if (PENCIL_SMOOTH) {
+    if (PENCIL_SMOOTH || PENCIL_RELIEF) {
         t.gx = select(s->gx, -s->gx, behind);
         t.gy = select(s->gy, -s->gy, behind);
         t.gz = select(s->gz, -s->gz, behind);

@@ -100,7 +100,7 @@ static inline float uv_tangents(const Surfaces *s, int triangle, float3 *du, flo
     return area;
 }
 
-/// The shading normal n of the front, turned by the relief of material m (Blinn 1978; normals in the frame of u and v).
+/// The shading normal n of the front, turned by the relief of material m (Blinn 1978; normals in the frame of u, and of v where the material says so).
 static inline float3 relief_normal(const Surfaces *s, global const Material *m, const TexturePoint *at, float3 n) {
     float3 du, dv;
     if (m->normal_texture < 0 || uv_tangents(s, at->triangle, &du, &dv) == 0.0f) return n;
@@ -116,7 +116,8 @@ static inline float3 relief_normal(const Surfaces *s, global const Material *m, 
         if (!(dot(tangent, tangent) > 0.0f)) return n;
         tangent = normalize(tangent);
         float3 bitangent = cross(n, tangent);
-        relief = turned.x * tangent + (dot(bitangent, dv) < 0.0f ? -turned.y : turned.y) * bitangent + turned.z * n;
+        if (m->flags & MATERIAL_Y_UP && dot(bitangent, dv) > 0.0f) turned.y = -turned.y;
+        relief = turned.x * tangent + turned.y * bitangent + turned.z * n;
     }
     float square = dot(relief, relief);
     if (!(square > 0.0f)) return n;

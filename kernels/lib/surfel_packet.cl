@@ -9,7 +9,7 @@
 typedef struct SurfelPacket {
     vfloat x, y, z;
     vfloat nx, ny, nz;  // shading normal
-    vfloat gx, gy, gz;  // geometric normal, loaded only where it differs (PENCIL_SMOOTH)
+    vfloat gx, gy, gz;  // geometric normal, loaded only where it may differ
     vint plane;
 } SurfelPacket;
 
@@ -26,7 +26,7 @@ static inline SurfelPacket load_surfels(global const float *surfels, int capacit
     p.nx = PACKET_LOAD(s + (size_t)SURFEL_NX * capacity);
     p.ny = PACKET_LOAD(s + (size_t)SURFEL_NY * capacity);
     p.nz = PACKET_LOAD(s + (size_t)SURFEL_NZ * capacity);
-    if (PENCIL_SMOOTH) {
+    if (PENCIL_SMOOTH || PENCIL_RELIEF) {
         p.gx = PACKET_LOAD(s + (size_t)SURFEL_GX * capacity);
         p.gy = PACKET_LOAD(s + (size_t)SURFEL_GY * capacity);
         p.gz = PACKET_LOAD(s + (size_t)SURFEL_GZ * capacity);
@@ -39,7 +39,7 @@ static inline SurfelPacket load_surfels(global const float *surfels, int capacit
 static inline vfloat packet_cosine_towards(const SurfelPacket *p, vfloat vx, vfloat vy, vfloat vz) {
     vfloat c = -fma(p->nx, vx, fma(p->ny, vy, p->nz * vz));
     c = fmax(c, (vfloat)(0.0f));
-    if (PENCIL_SMOOTH) c = select(c, (vfloat)(0.0f), PACKET_MASK(fma(p->gx, vx, fma(p->gy, vy, p->gz * vz)) >= 0.0f));
+    if (PENCIL_SMOOTH || PENCIL_RELIEF) c = select(c, (vfloat)(0.0f), PACKET_MASK(fma(p->gx, vx, fma(p->gy, vy, p->gz * vz)) >= 0.0f));
     return c;
 }
 

@@ -26,8 +26,9 @@ enum { MATERIAL_DIFFUSE MATERIAL_MODELS(MATERIAL_NUMBER), MATERIAL_BLEND, MATERI
 #define MATERIAL_THIN 4       // dielectric: light goes on unturned
 #define MATERIAL_MIRROR 8     // conductor that reflects everything
 #define MATERIAL_BUMP 16      // the normal texture holds heights
-#define MATERIAL_CLEAR 64     // some light passes it unturned
 #define MATERIAL_OPACITY 32   // weight of a blend is the opacity of its texture
+#define MATERIAL_CLEAR 64     // some light passes it unturned
+#define MATERIAL_Y_UP 128     // y of the normal texture is against v, also where texture coordinates are mirrored
 
 // Tables of what a rough varnish lets through: rows of equal steps of its roughness, or two of one roughness; columns of equal steps of the cosine from 0 to 1,
 // then the mean over the hemisphere with its cosine, in the second component the share of even light from inside that is reflected.

@@ -211,4 +211,27 @@ TEST(Materials, ReliefTurnsTheNormal) {
     }
 }
 
+/// The same where coordinates are mirrored: x is along u, y a left turn from it, or up in pictures whose v goes down.
+TEST(Materials, ReliefOfMirroredCoordinates) {
+    const glm::vec3 turned = glm::normalize(glm::vec3(0.3F, 0.2F, 1.0F));
+    for (const bool y_against_v : {false, true})
+        for (const float along_u : {1.0F, -1.0F}) {
+            Scene scene;
+            add_quad(scene, "floor", {-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, {glm::vec3(0.5F), glm::vec3(0.0F), false});
+            for (const dvec3& p : scene.positions) scene.uvs.emplace_back(along_u * p.x, -p.y);
+            Texture texture;
+            texture.width = texture.height = 1;
+            const glm::vec3 value = 0.5F * turned + 0.5F;
+            texture.texels.push_back({glm::packHalf1x16(value.x), glm::packHalf1x16(value.y), glm::packHalf1x16(value.z), 0});
+            scene.textures.push_back(texture);
+            scene.materials[0].normal_texture = 0;
+            scene.materials[0].y_against_v = y_against_v;
+            const dvec3 n(along_u * turned.x, (y_against_v ? 1 : along_u) * turned.y, turned.z);
+            const dvec3 travel = glm::normalize(dvec3(-0.4, -0.3, -1));
+            scene.directional_lights.push_back({travel, glm::vec3(2.0F)});
+            look_at(scene, {0.1, 0.1, 1}, {0.1, 0.1, 0}, {0, 1, 0}, 0.2, 4, 4);
+            expect_uniform(layer(trace(scene, 4).layers, ""), 0.5 / ref::pi * 2.0 * -glm::dot(n, travel), 4e-3);
+        }
+}
+
 }  // namespace

@@ -86,6 +86,7 @@ TEST_F(GltfMaterials, NormalMapsAreScaled) {
     EXPECT_NEAR(n.x, 0.5F, 1e-3);
     EXPECT_NEAR(n.z, 1.0F, 1e-3);
     EXPECT_FALSE(used(scene).bump);
+    EXPECT_TRUE(used(scene).y_against_v);
 }
 
 TEST_F(GltfMaterials, BlendedOverWhatLetsLightPass) {

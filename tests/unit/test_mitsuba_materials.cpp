@@ -146,6 +146,7 @@ TEST_F(MitsubaMaterials, ReliefOfWhatScatters) {
     ASSERT_GE(m.normal_texture, 0);
     m = material("<bsdf type=\"normalmap\"><texture name=\"normalmap\" type=\"checkerboard\"/><bsdf type=\"plastic\"/></bsdf>");
     EXPECT_FALSE(m.bump);
+    EXPECT_FALSE(m.y_against_v);
     EXPECT_GE(m.normal_texture, 0);
     m = material("<bsdf type=\"bump\">" + map + "<bsdf type=\"mask\"><bsdf type=\"diffuse\"/></bsdf></bsdf>");
     EXPECT_EQ(m.normal_texture, no_texture);

@@ -56,6 +56,7 @@ SceneMaterial MaterialReader::partly_transmitting(SceneMaterial reflecting, Scat
     SceneMaterial transmitting = scattering.transmitting();
     transmitting.id = reflecting.id;
     transmitting.normal_texture = reflecting.normal_texture;
+    transmitting.y_against_v = reflecting.y_against_v;
     const int texture = scattering.transmission_texture();
     if (texture == no_texture && scattering.transmission() >= 1) return transmitting;
     return blend(reflecting, transmitting, static_cast<float>(scattering.transmission()), texture);

@@ -97,6 +97,7 @@ void Scattering::relief(SceneMaterial& result) {
     info.texCoord = normal.texCoord;
     info.extensions = normal.extensions;
     result.normal_texture = texture(info, raw_use, "normal");
+    result.y_against_v = true;
     const double given = normal.scale;
     if (result.normal_texture == no_texture || given == 1 || !std::isfinite(given)) return;
     const auto scale = static_cast<float>(given);

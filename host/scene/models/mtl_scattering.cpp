@@ -111,6 +111,7 @@ private:
 
     void relief(SceneMaterial& result) {
         result.normal_texture = texture(material_.normal_map, raw_use);
+        result.y_against_v = true;
         if (result.normal_texture != no_texture || material_.bump_map.file.empty()) return;
         result.normal_texture = texture(material_.bump_map, luminance_use);
         result.bump = result.normal_texture != no_texture;
