@@ -44,10 +44,10 @@ static inline int drawn_sample(global const uchar *slot, int sample_count, int k
 /// launch : 1-D, one work-item per pixel of a strip of rows
 /// in     : hits, slots, counts of the strip; first_surfel[pixel] of the whole film; seed: of the samples that surfels take, 0: the middle
 ///          ones; shift: of the shares at which they lie, as a fraction of 2^32
-/// out    : surfels
+/// out    : surfels; drawn[surfel]: the sample that it lies at
 kernel void film_surfels(global const Hit *hits, Camera camera, global const float2 *offsets, int sample_count, int first_row,
                          int row_count, uint seed, uint shift, global const uchar *slots, global const uchar *counts,
-                         global const int *first_surfel, SURFACES_PARAMETERS, global float *surfels, int capacity) {
+                         global const int *first_surfel, SURFACES_PARAMETERS, global float *surfels, int capacity, global uchar *drawn) {
     int item = get_global_id(0);
     if (item >= row_count * camera.width) return;
     float2 corner = (float2)(item % camera.width, first_row + item / camera.width);
@@ -58,6 +58,7 @@ kernel void film_surfels(global const Hit *hits, Camera camera, global const flo
     for (int k = 0; k < (counts[pixel] & FILM_COUNT_MASK); ++k) {
         uint bits = hash_uint(seed ^ hash_uint((uint)pixel * PENCIL_FILM_SAMPLES + k)) + shift;
         int s = seed == 0 ? middle_sample(offsets, slot, sample_count, k) : drawn_sample(slot, sample_count, k, bits);
+        drawn[first_surfel[pixel] + k] = (uchar)s;
         CameraRay ray = camera_ray(&camera, corner + offsets[s], offsets, s, sample_count);
         write_surfel(surfels, capacity, first_surfel[pixel] + k, hits[s * image + item], ray.origin, ray.direction, &scene,
                      hash_uint(bits));

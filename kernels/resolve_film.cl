@@ -1,40 +1,93 @@
 // Surfel values to pixels by the reconstruction filter, over all visibility samples of all pixels in its support.
+// A surfel stands for all its samples in its pixel, which blurs what changes within it. Where it lies at a drawn one, what its value differs by
+// from the pixel without its cell counts by the weight of that sample times the number of samples instead: the mean of images is the filtered
+// image, and where nothing changes no noise comes of it.
 
 #include "shared/film.h"
 
+/// Neighbours that are less of the pixel than this, beside a cell, do not say what it differs from.
+#define FILM_LEAST_REST 1e-3f
+
+typedef struct FilmValues {
+    global const float *values;  // first of three fields
+    size_t capacity;
+    global const uchar *slots, *counts;
+    global const int *first_surfel;
+    int sample_count;
+    global const float *background;
+    int has_background;
+} FilmValues;
+
+static inline float3 film_value(const FilmValues *f, int surfel) {
+    global const float *v = f->values + surfel;
+    return (float3)(v[0], v[f->capacity], v[2 * f->capacity]);
+}
+
+/// What the samples of a pixel show, times their weights; `total`: of all of them.
+static inline float3 cell_sum(const FilmValues *f, int pixel, global const float *weights, float total) {
+    if (f->counts[pixel] == 1) return total * film_value(f, f->first_surfel[pixel]);  // one surface, no empty sample
+    global const uchar *slot = f->slots + (size_t)pixel * f->sample_count;
+    float3 sum = (float3)(0.0f);
+    for (int s = 0; s < f->sample_count; ++s)
+        if (slot[s] != NO_SURFEL)
+            sum += weights[s] * film_value(f, f->first_surfel[pixel] + slot[s]);
+        else if (f->has_background)
+            sum += weights[s] * vload3(pixel, f->background);
+    return sum;
+}
+
+/// What is to be added, since its surfels lie at drawn samples.
+static inline float3 cell_step(const FilmValues *f, int pixel, global const float *weights, float total, global const uchar *drawn,
+                               float3 elsewhere) {
+    int first = f->first_surfel[pixel];
+    if (f->counts[pixel] == 1) return (f->sample_count * weights[drawn[first]] - total) * (film_value(f, first) - elsewhere);
+    global const uchar *slot = f->slots + (size_t)pixel * f->sample_count;
+    float3 step = (float3)(0.0f);
+    for (int k = 0; k < (f->counts[pixel] & FILM_COUNT_MASK); ++k) {
+        float all = 0.0f;
+        int members = 0;
+        for (int s = 0; s < f->sample_count; ++s)
+            if (slot[s] == k) {
+                all += weights[s];
+                ++members;
+            }
+        step += (members * weights[drawn[first + k]] - all) * (film_value(f, first + k) - elsewhere);
+    }
+    return step;
+}
+
 /// launch : 1-D, one work-item per pixel
 /// in     : values, fields first_field .. first_field + 2 of [field][capacity]; slots, counts, first_surfel; weights[(2 reach + 1)^2 *
-/// sample_count]: the filter at each sample of each
-///          neighbour, row by row; totals[(2 reach + 1)^2]: sums over the samples of a neighbour
-///          background[pixel * 3 + channel], if has_background: what samples show that show no surface
+///          sample_count]: the filter at each sample of each neighbour, row by row; totals[(2 reach + 1)^2]: sums over the samples of a
+///          neighbour; background[pixel * 3 + channel], if has_background: what samples show that show no surface; drawn[surfel]: where it lies,
+///          if at_drawn
 /// out    : image[pixel * 3 + channel]
 kernel void resolve_film(global const float *values, int first_field, int capacity, global const uchar *slots, global const uchar *counts,
                          global const int *first_surfel, global const float *weights, global const float *totals, int reach,
-                         int sample_count, int width, int height, global const float *background, int has_background, global float *image) {
+                         int sample_count, int width, int height, global const float *background, int has_background,
+                         global const uchar *drawn, int at_drawn, global float *image) {
     int pixel = get_global_id(0);
     if (pixel >= width * height) return;
-    int2 centre = (int2)(pixel % width, pixel / width);
-    float3 sum = (float3)(0.0f);
+    FilmValues film = {
+        values + (size_t)first_field * capacity, capacity, slots, counts, first_surfel, sample_count, background, has_background};
+    int2 centre = (int2)(pixel % width, pixel / width), low = max(centre - reach, 0), high = min(centre + reach, (int2)(width, height) - 1);
+    int side = 2 * reach + 1;
+    float3 sum = (float3)(0.0f), steps = (float3)(0.0f);
     float norm = 0.0f;
-    for (int dy = -reach; dy <= reach; ++dy)
-        for (int dx = -reach; dx <= reach; ++dx) {
-            int2 p = centre + (int2)(dx, dy);
-            if (p.x < 0 || p.x >= width || p.y < 0 || p.y >= height) continue;
-            int cell = (dy + reach) * (2 * reach + 1) + dx + reach;
-            int other = p.y * width + p.x;
+    for (int y = low.y; y <= high.y; ++y)
+        for (int x = low.x; x <= high.x; ++x) {
+            int cell = (y - centre.y + reach) * side + x - centre.x + reach;
             norm += totals[cell];
-            global const float *v = values + (size_t)first_field * capacity + first_surfel[other];
-            global const uchar *slot = slots + (size_t)other * sample_count;
-            if (counts[other] == 1) {  // one surface, no empty sample
-                sum += totals[cell] * (float3)(v[0], v[capacity], v[2 * (size_t)capacity]);
-                continue;
-            }
-            for (int s = 0; s < sample_count; ++s)
-                if (slot[s] != NO_SURFEL)
-                    sum += weights[cell * sample_count + s] *
-                           (float3)(v[slot[s]], v[(size_t)capacity + slot[s]], v[2 * (size_t)capacity + slot[s]]);
-                else if (has_background)
-                    sum += weights[cell * sample_count + s] * vload3(other, background);
+            sum += cell_sum(&film, y * width + x, weights + cell * sample_count, totals[cell]);
         }
-    vstore3(norm > 0.0f ? sum / norm : (float3)(0.0f), pixel, image);
+    for (int y = low.y; at_drawn && y <= high.y; ++y)
+        for (int x = low.x; x <= high.x; ++x) {
+            int cell = (y - centre.y + reach) * side + x - centre.x + reach;
+            global const float *w = weights + cell * sample_count;
+            float rest = norm - totals[cell];
+            if (!(fabs(rest) > FILM_LEAST_REST * fabs(norm))) continue;
+            float3 elsewhere = (sum - cell_sum(&film, y * width + x, w, totals[cell])) / rest;
+            steps += cell_step(&film, y * width + x, w, totals[cell], drawn, elsewhere);
+        }
+    vstore3(norm > 0.0f ? (sum + steps) / norm : (float3)(0.0f), pixel, image);
 }

@@ -125,20 +125,20 @@ double ErrorCheck::reflected(const std::vector<float>& beauty, std::size_t i) co
     return weight_ > 0 ? shown - emission_[i] / weight_ : shown;
 }
 
-CertifiedError ErrorCheck::certify(const std::vector<float>& beauty) const {
+CertifiedError ErrorCheck::certify(const std::vector<float>& beauty, const std::vector<float>& usual) const {
     CertifiedError error;
     const double mean = std::accumulate(beauty.begin(), beauty.end(), 0.0) / static_cast<double>(beauty.size());
     const std::vector<Point>& points = points_.empty() ? half_done_ : points_;
     error.points = static_cast<int>(points.size());
     if (points.size() < 2 || !(mean > 0)) return error;
-    if (points.size() >= many_looks * beauty.size() / 3) return certify_pixels(looks_at(points, beauty), beauty, mean);
+    if (points.size() >= many_looks * beauty.size() / 3) return certify_pixels(looks_at(points, beauty), usual, mean);
     std::vector<double> squares, steps;
     for (const Point& p : points) {
         double square = 0, step = 0;
         for (int c = 0; c < 3; ++c) {
             const std::size_t i = 3 * p.pixel + static_cast<std::size_t>(c);
             const double x = reflected(beauty, i);
-            square += (x - p.first[c]) * (x - p.second[c]) / relative_to(static_cast<double>(beauty[i]), mean) / 3;
+            square += (x - p.first[c]) * (x - p.second[c]) / relative_to(static_cast<double>(usual[i]), mean) / 3;
             step += (x - 0.5 * (p.first[c] + p.second[c])) / (3 * mean);
         }
         squares.push_back(square);

@@ -29,7 +29,7 @@ public:
     void add(const Film& film, int paths, std::uint64_t seed);
 
     /// Of `beauty`, rgb per pixel, against all that was looked at so far.
-    CertifiedError certify(const std::vector<float>& beauty) const;
+    CertifiedError certify(const std::vector<float>& beauty, const std::vector<float>& usual) const;
 
 private:
     struct Point {

@@ -6,9 +6,11 @@
 
 namespace pencil {
 
-FilmDraws::FilmDraws(const Film& film) : film_(film), slots_(film.slots().read()), first_surfel_(film.first_surfel().read()) {}
+FilmDraws::FilmDraws(const Film& film)
+    : film_(film), slots_(film.slots().read()), drawn_(film.drawn()), first_surfel_(film.first_surfel().read()) {}
 
-/// The weights are those of resolve_film.
+/// Each sample has the weight of the one that its surfel lies at, as in resolve_film in the mean, over the sum of these: even surfaces have no
+/// noise of it, and what that errs at edges is far less than what a path does.
 std::vector<FilmDraws::Draw> FilmDraws::draw(std::size_t pixel, int count, double u) const {
     const FilterTable& table = film_.filter_table();
     const int width = film_.width(), height = film_.height(), reach = table.reach, x = static_cast<int>(pixel) % width,
@@ -24,13 +26,15 @@ std::vector<FilmDraws::Draw> FilmDraws::draw(std::size_t pixel, int count, doubl
             const std::size_t other = static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
             const int neighbour = (dy + reach) * (2 * reach + 1) + dx + reach;
             const auto cell = static_cast<std::size_t>(neighbour);
-            norm += static_cast<double>(table.totals[cell]);
             for (std::size_t s = 0; s < samples; ++s) {
                 const unsigned char slot = slots_[other * samples + s];
-                const double weight = static_cast<double>(table.weights[cell * samples + s]);
+                const int surfel = slot == NO_SURFEL ? -1 : first_surfel_[other] + slot;
+                const std::size_t at = surfel < 0 || drawn_.empty() ? s : drawn_[static_cast<std::size_t>(surfel)];
+                const double weight = static_cast<double>(table.weights[cell * samples + at]);
+                norm += weight;
                 sum += std::abs(weight);
                 up_to.push_back(sum);
-                all.push_back({slot == NO_SURFEL ? -1 : first_surfel_[other] + slot, weight < 0 ? -1.0F : 1.0F});
+                all.push_back({surfel, weight < 0 ? -1.0F : 1.0F});
             }
         }
     std::vector<Draw> draws;

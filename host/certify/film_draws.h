@@ -20,7 +20,7 @@ public:
 
 private:
     const Film& film_;
-    std::vector<unsigned char> slots_;
+    std::vector<unsigned char> slots_, drawn_;
     std::vector<int> first_surfel_;
 };
 

@@ -56,6 +56,8 @@ Film::Film(Kernels& kernels, const DeviceScene& scene, const FilmCamera& camera,
         classify(kernels, scene, row, rows);
     }
     surfels_ = Surfels(kernels, number_surfels(device), "film surfels");
+    drawn_ = Buffer<unsigned char>(device, static_cast<std::size_t>(surfels_.capacity), "samples that surfels lie at");
+    at_drawn_ = !turn.alone && table_.reach > 0;
     for (int row = 0; row < camera_.height; row += strip_rows_) {
         const int rows = std::min(strip_rows_, camera_.height - row);
         if (!one_strip) see(kernels, scene, row, rows);
@@ -86,6 +88,7 @@ Film::Film(Kernels& kernels, const Camera& camera, Receivers receivers)
     counts_ =
         Buffer<unsigned char>(device, std::vector<unsigned char>(receivers.counts.begin(), receivers.counts.end()), "counts of sensors");
     first_surfel_ = Buffer<int>(device, first, "first surfels");
+    drawn_ = Buffer<unsigned char>(device, 1, "samples of sensors");
 }
 
 void Film::receive(const std::vector<Material>& materials) {
@@ -128,18 +131,28 @@ void Film::write_surfels(Kernels& kernels, const DeviceScene& scene, int first_r
     const uint seed = turn.alone ? 0 : static_cast<uint>(hash64(turn.seed) >> 32) | 1U,
                shift = static_cast<uint>(turn.index) * golden_section;
     kernels.get("film_surfels")
-        .args(strip(first_row, rows), seed, shift, pixels(), scene.surfaces(), surfels_.store())
+        .args(strip(first_row, rows), seed, shift, pixels(), scene.surfaces(), surfels_.store(), drawn_)
         .run(static_cast<std::size_t>(rows) * static_cast<std::size_t>(camera_.width), "film surfels");
 }
 
-std::vector<float> Film::resolve(Kernels& kernels, const Buffer<float>& values, int first_field, const Buffer<float>* background) const {
-    Buffer<float> image(kernels.device(), pixel_count(camera_) * 3, "resolved layer");
-    const Buffer<float> none(kernels.device(), 1, "no background");
+std::vector<float> Film::resolve(Kernels& kernels, const Buffer<float>& values, int first_field, const Buffer<float>* background,
+                                 bool at_drawn) const {
+    const auto& device = kernels.device();
+    Buffer<float> image(device, pixel_count(camera_) * 3, "resolved layer");
+    const Buffer<float> nothing(device, 1, "no background");
     kernels.get("resolve_film")
-        .args(values, first_field, surfels_.capacity, pixels(), filter(), camera_.width, camera_.height, background ? *background : none,
-              background ? 1 : 0, image)
+        .args(values, first_field, surfels_.capacity, pixels(), filter(), camera_.width, camera_.height, background ? *background : nothing,
+              background ? 1 : 0, drawn_, at_drawn ? 1 : 0, image)
         .run(pixel_count(camera_), "resolve film");
     return image.read();
+}
+
+std::vector<float> Film::resolve(Kernels& kernels, const Buffer<float>& values, const Buffer<float>* background) const {
+    return resolve(kernels, values, 0, background, at_drawn_);
+}
+
+std::vector<float> Film::resolve_fields(Kernels& kernels, int first_field) const {
+    return resolve(kernels, surfels_.data, first_field, nullptr, false);
 }
 
 Buffer<float> Film::sky(Kernels& kernels, const DeviceScene& scene) const {
@@ -150,7 +163,7 @@ Buffer<float> Film::sky(Kernels& kernels, const DeviceScene& scene) const {
 
 std::vector<float> Film::cover(Kernels& kernels) const {
     const std::vector<float> ones(static_cast<std::size_t>(surfels_.capacity) * 3, 1.0F);
-    return resolve(kernels, Buffer<float>(kernels.device(), ones, "ones for the covered share"));
+    return resolve(kernels, Buffer<float>(kernels.device(), ones, "ones for the covered share"), 0, nullptr, false);
 }
 
 }  // namespace pencil

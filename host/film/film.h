@@ -41,14 +41,18 @@ public:
     glm::vec3 viewer(int surfel) const { return viewers_.empty() ? eye_ : viewers_[static_cast<std::size_t>(surfel)]; }
     bool is_row_of_sensors() const { return !viewers_.empty(); }
 
-    /// Pixels (rgb, rows from the top) of three consecutive fields of values[field][surfels().capacity], and of `background` where
-    /// samples show nothing; launcher of resolve_film.
-    std::vector<float> resolve(Kernels& kernels, const Buffer<float>& values, int first_field = 0,
-                               const Buffer<float>* background = nullptr) const;
+    /// Pixels (rgb, rows from the top) of light, values[3][surfels().capacity], and of `background` where samples show nothing; launcher of
+    /// resolve_film. Of films that are one of many the mean of these is the filtered image.
+    std::vector<float> resolve(Kernels& kernels, const Buffer<float>& values, const Buffer<float>* background = nullptr) const;
+    /// The same of three consecutive fields of surfels, each of which stands for its part of its pixel: no noise, but blurred within pixels.
+    std::vector<float> resolve_fields(Kernels& kernels, int first_field) const;
     /// Per pixel, rgb: mean radiance of the environment over its samples that show nothing; launcher of show_sky.
     Buffer<float> sky(Kernels& kernels, const DeviceScene& scene) const;
     /// The filter's share of each pixel that shows a surface, three times over.
     std::vector<float> cover(Kernels& kernels) const;
+    /// For each surfel the visibility sample of its pixel that it lies at; empty if it stands for all of its samples alike: the film is the only
+    /// one, or the filter gives them one weight.
+    std::vector<unsigned char> drawn() const { return at_drawn_ ? drawn_.read() : std::vector<unsigned char>(); }
     /// True if a visibility sample shows nothing.
     bool has_empty() const { return has_empty_; }
 
@@ -66,16 +70,18 @@ private:
     void classify(Kernels& kernels, const DeviceScene& scene, int first_row, int rows);
     void write_surfels(Kernels& kernels, const DeviceScene& scene, int first_row, int rows, const Turn& turn);
     int number_surfels(const std::shared_ptr<Device>& device);
+    std::vector<float> resolve(Kernels& kernels, const Buffer<float>& values, int first_field, const Buffer<float>* background,
+                               bool at_drawn) const;
 
     Camera camera_;
     glm::vec3 eye_{0.0F};
     std::vector<glm::vec3> viewers_;  // of sensors
     int samples_ = 1;
     int strip_rows_ = 1;
-    bool has_empty_ = false;
+    bool has_empty_ = false, at_drawn_ = false;
     Buffer<glm::vec2> offsets_;
     Buffer<Hit> hits_;  // of one strip, released after construction
-    Buffer<unsigned char> slots_, counts_;
+    Buffer<unsigned char> slots_, counts_, drawn_;
     Buffer<int> first_surfel_;
     FilterTable table_;
     Buffer<float> weights_, totals_;  // of it

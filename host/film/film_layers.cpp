@@ -52,19 +52,19 @@ void FilmLayers::add_surfaces(Kernels& kernels, const DeviceScene& scene, const 
     emit_surfels(kernels, scene, surfels, false, emission);
     if (kernels.features().sky && film.has_empty()) {
         const Buffer<float> sky = film.sky(kernels, scene);
-        beauty_ = film.resolve(kernels, emission, 0, &sky);
+        beauty_ = film.resolve(kernels, emission, &sky);
     } else {
         beauty_ = film.resolve(kernels, emission);
     }
     if (wants(emission_layer)) light_.push_back({emission_layer, 3, beauty_});
-    if (wants(albedo_layer)) surface_.push_back({albedo_layer, 3, film.resolve(kernels, surfels.data, SURFEL_ALBEDO_R)});
+    if (wants(albedo_layer)) surface_.push_back({albedo_layer, 3, film.resolve_fields(kernels, SURFEL_ALBEDO_R)});
     if (wants(depth_layer) || wants(position_layer)) {
-        std::vector<float> position = film.resolve(kernels, surfels.data, SURFEL_X), depth;
+        std::vector<float> position = film.resolve_fields(kernels, SURFEL_X), depth;
         to_world(flat, film.has_empty() ? film.cover(kernels) : std::vector<float>(), position, depth);
         if (wants(depth_layer)) surface_.push_back({depth_layer, 1, std::move(depth)});
         if (wants(position_layer)) surface_.push_back({position_layer, 3, std::move(position)});
     }
-    if (wants(normal_layer)) surface_.push_back({normal_layer, 3, film.resolve(kernels, surfels.data, SURFEL_NX)});
+    if (wants(normal_layer)) surface_.push_back({normal_layer, 3, film.resolve_fields(kernels, SURFEL_NX)});
 }
 
 void FilmLayers::add_to_beauty(const std::vector<float>& pixels) {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "film/outliers.h"
 #include "image/relative_error.h"
 
 namespace pencil {
@@ -22,12 +23,13 @@ void LayerMean::Sum::add(const std::vector<float>& beauty, const std::vector<flo
         value[i] += static_cast<float>(image_weight * (static_cast<double>(beauty[i]) - static_cast<double>(first[i])));
 }
 
-void LayerMean::add(std::vector<Layer> layers, double weight, int generation) {
+void LayerMean::add(std::vector<Layer> layers, double weight, int generation, int set) {
     if (count_ == 0) first_ = layers.front().pixels;
     if (generation != generation_) begin_generation(generation);
     const auto sequence = static_cast<std::size_t>(count_ % sequences);
     of_[sequence].add(layers.front().pixels, first_, weight);
     now_[sequence % 2].add(layers.front().pixels, first_, weight);
+    if (set >= 0) of_set_[static_cast<std::size_t>(set) % of_set_.size()].add(layers.front().pixels, first_, weight);
     weights_.back() += weight;
     weight_ += weight;
     if (count_++ == 0) {
@@ -41,6 +43,42 @@ void LayerMean::add(std::vector<Layer> layers, double weight, int generation) {
                 static_cast<float>(share * (static_cast<double>(layers[l].pixels[i]) - static_cast<double>(mean_[l].pixels[i])));
 }
 
+void LayerMean::spread_outliers(int width) {
+    const auto is_empty = [](const Sum& s) { return s.weight == 0; };
+    if (std::any_of(of_set_.begin(), of_set_.end(), is_empty)) return;
+    std::vector<ImageValues> images(of_set_.size(), first_);
+    for (std::size_t s = 0; s < of_set_.size(); ++s)
+        for (std::size_t i = 0; i < first_.size(); ++i)
+            images[s][i] += static_cast<float>(static_cast<double>(of_set_[s].value[i]) / of_set_[s].weight);
+    const SpreadOutliers spread = pencil::spread_outliers(images, width);
+    ImageValues steps(first_.size());
+    for (std::size_t s = 0; s < of_set_.size(); ++s)
+        for (std::size_t i = 0; i < first_.size(); ++i) steps[i] += static_cast<float>(of_set_[s].weight / weight_) * spread.steps[s][i];
+    for (Layer& layer : mean_) {
+        if (&layer != &mean_.front() && layer.name != indirect_layer) continue;
+        for (std::size_t i = 0; i < first_.size(); ++i) layer.pixels[i] += steps[i];
+    }
+    for (Sum& s : of_) settle(s, spread.limits, steps);
+    for (Halves* halves : {&now_, &before_})
+        for (Sum& s : *halves) settle(s, spread.limits, steps);
+}
+
+/// The sum of images that have been spread: outliers end at their limits, the others get their steps.
+void LayerMean::settle(Sum& sum, const std::vector<float>& limits, const std::vector<float>& steps) const {
+    if (sum.weight == 0) return;
+    for (std::size_t i = 0; i < first_.size(); i += 3) {
+        std::array<double, 3> rgb{};
+        double all = 0;
+        for (std::size_t c = 0; c < 3; ++c)
+            all += rgb[c] = static_cast<double>(first_[i + c]) + static_cast<double>(sum.value[i + c]) / sum.weight;
+        const auto limit = static_cast<double>(limits[i / 3]);
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double step = std::isinf(limit) ? static_cast<double>(steps[i + c]) : all > limit ? rgb[c] * (limit / all - 1) : 0;
+            sum.value[i + c] += static_cast<float>(sum.weight * step);
+        }
+    }
+}
+
 /// Mean over the beauty's values of square(i), relative as in relMSE.
 template <typename Square>
 double LayerMean::relative_mean(Square square) const {
@@ -48,8 +86,29 @@ double LayerMean::relative_mean(Square square) const {
     const double mean = std::accumulate(pixels.begin(), pixels.end(), 0.0) / static_cast<double>(pixels.size());
     if (mean <= 0) return 0;
     double sum = 0;
-    for (std::size_t i = 0; i < pixels.size(); ++i) sum += square(i) / relative_to(pixels[i], mean);
+    for (std::size_t i = 0; i < pixels.size(); ++i) sum += square(i) / relative_to(usual(i), mean);
     return sum / static_cast<double>(pixels.size());
+}
+
+/// A value of the beauty, or, where one of the sequences shows more than twice what the others do, what these show: a rare event that makes a
+/// value wrong is not to hide how wrong it is beside the truth.
+double LayerMean::usual(std::size_t i) const {
+    const auto shown = static_cast<double>(mean_.front().pixels[i]);
+    double sum = 0, highest = 0;
+    for (const Sum& s : of_) {
+        if (s.weight == 0) return shown;
+        const double value = static_cast<double>(first_[i]) + static_cast<double>(s.value[i]) / s.weight;
+        sum += value;
+        highest = std::max(highest, value);
+    }
+    const double others = (sum - highest) / (sequences - 1);
+    return highest > 2 * others ? std::min(std::max(others, 0.0), shown) : shown;
+}
+
+std::vector<float> LayerMean::usual_values() const {
+    std::vector<float> values(first_.size());
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<float>(usual(i));
+    return values;
 }
 
 void LayerMean::begin_generation(int generation) {
@@ -127,12 +186,6 @@ void LayerMean::append_error(std::vector<Layer>& layers) const {
     Layer error{error_layer, 3, std::vector<float>(first_.size())};
     for (std::size_t i = 0; i < first_.size(); ++i) error.pixels[i] = static_cast<float>(scale * std::sqrt(variance_of_mean(i)));
     layers.push_back(std::move(error));
-}
-
-std::vector<Layer> LayerMean::snapshot() const {
-    std::vector<Layer> layers = mean_;
-    append_error(layers);
-    return layers;
 }
 
 std::vector<Layer> LayerMean::take() {

@@ -15,11 +15,18 @@ public:
     static constexpr int sequences = 4;
 
     /// Adds an image with its weight in the mean. Later images have the layers of the first, or the first of them: the others stay as they
-    /// are. Images of one `generation`, which never falls, may share an error that no sequence shows.
-    void add(std::vector<Layer> layers, double weight, int generation);
+    /// are. Images of one `generation`, which never falls, may share an error that no sequence shows, and so may those of one `set`, also from 0
+    /// on; it is needed only by
+    void add(std::vector<Layer> layers, double weight, int generation, int set = -1);
+
+    /// Spreads what only one of four kinds of sets, in turn, shows of a pixel, in the beauty and in its indirect light (outliers.h). Does nothing
+    /// before there are as many.
+    void spread_outliers(int width);
 
     int count() const { return count_; }
     const std::vector<float>& beauty() const { return mean_.front().pixels; }
+    /// What errors of the beauty's values are relative to: these, but for what only one of the sequences shows.
+    std::vector<float> usual_values() const;
 
     /// Estimated relative mean square error of the mean beauty, relMSE: the variance of the mean over its square, from the spread of the
     /// sequences, and what generations share, from the step between the last two. Needs two images; infinite before.
@@ -29,9 +36,8 @@ public:
     /// images.
     double mean_standard_error() const;
 
-    /// The layers of the mean; with two images or more a layer "error" follows: the estimated error of every beauty value. take() leaves
-    /// nothing behind.
-    std::vector<Layer> snapshot() const;
+    /// The layers of the mean; with two images or more a layer "error" follows: the estimated error of every beauty value. Leaves nothing
+    /// behind.
     std::vector<Layer> take();
 
 private:
@@ -44,6 +50,7 @@ private:
     using Halves = std::array<Sum, 2>;  // even and odd sequences
 
     void begin_generation(int generation);
+    void settle(Sum& sum, const std::vector<float>& limits, const std::vector<float>& steps) const;
     template <typename Value>
     double spread_of_mean(double mean, Value value) const;
     double variance_of_mean(std::size_t i) const;
@@ -53,12 +60,14 @@ private:
     void append_error(std::vector<Layer>& layers) const;
     template <typename Square>
     double relative_mean(Square square) const;
+    double usual(std::size_t i) const;
 
     int count_ = 0;
     double weight_ = 0;
     std::vector<Layer> mean_;
     std::vector<float> first_;  // beauty of the first image
     std::array<Sum, sequences> of_;
+    std::array<Sum, 4> of_set_;
     int generation_ = 0;
     std::vector<double> weights_{0.0};  // of the generations
     Halves now_, before_;               // of the generation and the last

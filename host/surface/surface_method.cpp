@@ -100,7 +100,7 @@ bool SurfaceMethod::add_pass(const SurfacePass& pass) {
     const std::vector<float> emission = frame_->layers().beauty();
     const bool lit = add_direct(pass, hash64(turn.seed + 2) + turn.index);
     if (lit) add_bounces(pass, turn);
-    mean_.add(frame_->take_layers(), pass.weight, pass.generation);
+    mean_.add(frame_->take_layers(), pass.weight, pass.generation, spreads_outliers() ? pass.world_set : -1);
     check_.add_emission(emission, pass.weight);
     frame_ = nullptr;
     context_.stats.passes = mean_.count();
@@ -213,13 +213,36 @@ void SurfaceMethod::report_bounces() {
                           stats.bounce_solve.steps + 2));
 }
 
-double SurfaceMethod::estimated_error() const {
-    if (mean_.count() == 0 || !context_.stats.bounce_solve.has_sum) return std::numeric_limits<double>::infinity();
-    const double error = join_errors(caution(mean_.count()) * mean_.relative_mean_square_error(), certified_error());
+/// The mean of the passes as it is shown, in `copy` if it differs: rare light along lobes is spread over where it may come to.
+const LayerMean& SurfaceMethod::shown(LayerMean& copy) const {
+    if (!spreads_outliers() || mean_.count() == 0) return mean_;
+    copy = mean_;
+    copy.spread_outliers(context_.flat.camera.width);
+    return copy;
+}
+
+bool SurfaceMethod::spreads_outliers() const { return context_.kernels.features().lobes && context_.scene.sensor_points.empty(); }
+
+double SurfaceMethod::error_of(const LayerMean& mean, const CertifiedError& certified) const {
+    if (mean.count() == 0 || !context_.stats.bounce_solve.has_sum) return std::numeric_limits<double>::infinity();
+    const double error = join_errors(caution(mean.count()) * mean.relative_mean_square_error(), certified);
     return std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
 }
 
-CertifiedError SurfaceMethod::certified_error() const { return mean_.count() > 0 ? check_.certify(mean_.beauty()) : CertifiedError(); }
+CertifiedError SurfaceMethod::certify(const LayerMean& mean) const {
+    return mean.count() > 0 ? check_.certify(mean.beauty(), mean.usual_values()) : CertifiedError();
+}
+
+double SurfaceMethod::estimated_error() const {
+    LayerMean copy;
+    const LayerMean& mean = shown(copy);
+    return error_of(mean, certify(mean));
+}
+
+CertifiedError SurfaceMethod::certified_error() const {
+    LayerMean copy;
+    return certify(shown(copy));
+}
 
 /// True if the next pass is not needed or would not end in time; `pace`: seconds per unit of work.
 bool SurfaceMethod::enough(double pace) {
@@ -230,19 +253,24 @@ bool SurfaceMethod::enough(double pace) {
         clock.set_fraction(std::min(clock.seconds() / options.seconds, 1.0));
         return clock.seconds() + pace * pass(index_).work > options.seconds;
     }
-    const double error = estimated_error();
+    LayerMean copy;
+    const LayerMean& mean = shown(copy);
+    const CertifiedError certified = certify(mean);
+    const double error = error_of(mean, certified);
     if (mean_.count() >= 2) clock.set_fraction(std::min(options.target_error / error, 1.0));
-    const Patience::Answer answer = patience_.ask({index_, error, student(mean_.count()) * mean_.mean_standard_error(), certified_error()});
+    const Patience::Answer answer = patience_.ask({index_, error, student(mean_.count()) * mean_.mean_standard_error(), certified});
     if (answer.reason) context_.stats.warnings.push_back(*answer.reason);
     return answer.enough;
 }
 
 std::vector<Layer> SurfaceMethod::snapshot() const {
-    if (mean_.count() > 0) return mean_.snapshot();
+    LayerMean copy;
+    if (mean_.count() > 0) return LayerMean(shown(copy)).take();
     return frame_ ? frame_->snapshot() : std::vector<Layer>();
 }
 
 std::vector<Layer> SurfaceMethod::take() {
+    if (spreads_outliers()) mean_.spread_outliers(context_.flat.camera.width);
     if (mean_.count() > 0) return mean_.take();
     return frame_ ? frame_->take_layers() : std::vector<Layer>();
 }

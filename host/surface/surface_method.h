@@ -40,6 +40,10 @@ private:
     int check_paths(double rays_per_path) const;
     void report_bounces();
     bool enough(double pace);
+    const LayerMean& shown(LayerMean& copy) const;
+    bool spreads_outliers() const;
+    double error_of(const LayerMean& mean, const CertifiedError& certified) const;
+    CertifiedError certify(const LayerMean& mean) const;
     SurfacePass pass(int index) const;
     SurfacePencils seeds(const FilmPixels& pixels) const;
 

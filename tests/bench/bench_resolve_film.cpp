@@ -44,7 +44,8 @@ void resolve(benchmark::State& state) {
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<float>(i * 7919 % 1024) / 1024.0F;
     const Buffer<float> device_values(device(), values, "values"), weights(device(), table.weights, "weights"),
         totals(device(), table.totals, "totals");
-    const Buffer<unsigned char> slots(device(), pixels.slots, "slots"), counts(device(), pixels.counts, "counts");
+    const Buffer<unsigned char> drawn(device(), 1, "no samples"), slots(device(), pixels.slots, "slots"),
+        counts(device(), pixels.counts, "counts");
     const Buffer<int> first(device(), pixels.first_surfel, "first surfels");
     Buffer<float> image(device(), pixels.counts.size() * 3, "image");
     const Buffer<float> nothing(device(), 1, "no background");
@@ -69,7 +70,7 @@ void resolve(benchmark::State& state) {
         [&] {
             bench.kernels.get("resolve_film")
                 .args(device_values, 0, capacity, slots, counts, first, weights, totals, table.reach, samples, side, side, nothing, 0,
-                      image)
+                      drawn, 0, image)
                 .run(pixels.counts.size(), "resolve bench film");
         },
         [&] { native::resolve_film(view, values.data(), static_cast<std::size_t>(capacity), native_image.data()); },

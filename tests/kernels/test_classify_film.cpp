@@ -15,7 +15,7 @@ using namespace pencil::test;
 
 struct Classified {
     std::vector<Hit> hits;
-    std::vector<unsigned char> slots, counts;
+    std::vector<unsigned char> slots, counts, drawn;
     std::vector<int> first;
     std::vector<glm::vec2> offsets;
     HostSurfels surfels;
@@ -44,11 +44,12 @@ Classified classify(TestScene scene, const TestCamera& view, int samples, uint s
     }
     const Buffer<int> first_surfel(device(), first, "first surfels");
     Surfels surfels(device(), next, "surfels");
+    Buffer<unsigned char> drawn(device(), static_cast<std::size_t>(surfels.capacity), "drawn");
     kernels.get("film_surfels")
         .args(hits, view.camera, positions, samples, 0, rows, seed, shift, slots, counts, first_surfel, s.surfaces(), surfels.data,
-              surfels.capacity)
+              surfels.capacity, drawn)
         .run(pixels, "film surfels");
-    return {hits.read(), slots.read(), counts.read(), first, offsets, HostSurfels(surfels)};
+    return {hits.read(), slots.read(), counts.read(), drawn.read(), first, offsets, HostSurfels(surfels)};
 }
 
 void check(const TestScene& scene, const TestCamera& view, int samples, uint seed) {
@@ -85,6 +86,8 @@ void check(const TestScene& scene, const TestCamera& view, int samples, uint see
         for (int slot = 0; slot < count; ++slot) {
             ASSERT_GT(members[static_cast<std::size_t>(slot)], 0) << "surfel " << slot << " of " << count << " has no sample";
             ASSERT_GT(at_sample[static_cast<std::size_t>(slot)], 0) << "surfel " << slot << " lies on none of its samples";
+            const unsigned char drawn = c.drawn[static_cast<std::size_t>(c.first[pixel] + slot)];
+            ASSERT_EQ(c.slots[pixel * static_cast<std::size_t>(samples) + drawn], slot) << "surfel " << slot << " lies at another's sample";
             for (int other = 0; other < slot; ++other)
                 ASSERT_NE(c.surfels.plane(c.first[pixel] + slot), c.surfels.plane(c.first[pixel] + other)) << "one plane, two surfels";
         }

@@ -117,4 +117,21 @@ TEST(LayerMean, BlackImagesHaveNoError) {
     EXPECT_EQ(mean.relative_mean_square_error(), 0.0);
 }
 
+/// A rare event that one image shows makes a value wrong, not right by being bright.
+TEST(LayerMean, ErrorsOfOutliersAreRelativeToWhatTheOthersShow) {
+    ref::Random random(9);
+    LayerMean mean;
+    for (int k = 0; k < 8; ++k) {
+        std::vector<Layer> image = noisy(random, 3000, 0.02);
+        if (k == 5)
+            for (std::size_t i = 0; i < 30; ++i) image.front().pixels[i] = 2.0F + 8 * 20.0F;
+        mean.add(std::move(image), 1.0, 0);
+    }
+    const double truth = 0.01 * 20.0 * 20.0 / 4.0;
+    EXPECT_NEAR(mean.relative_mean_square_error() / truth, 1.0, 0.2);
+    EXPECT_NEAR(mean.usual_values()[0], 2.0F, 0.1F);
+    EXPECT_NEAR(mean.usual_values()[100], 2.0F, 0.1F);
+    EXPECT_EQ(mean.usual_values()[100], mean.beauty()[100]);
+}
+
 }  // namespace
