@@ -34,7 +34,7 @@ APART static void follow_surfels_packet(int begin, global const float *from, int
         int start = listed ? starts[begin + l] : first + begin + l;
         c->at = load_vertex(from, from_capacity, start, materials, bitmaps);
         c->t.factor = surfel_vector(from, from_capacity, start, SURFEL_TR);  // 0 below a pencil's horizon, where no sky is seen
-        c->t.share = shared ? 0.0f : -1.0f;  // the film shows its own emission
+        c->t.share = shared ? 0.0f : -1.0f;                                  // the film shows its own emission
         c->direction = -c->at.o;
         c->open = c->at.plane >= 0 && c->at.bsdf.model != MATERIAL_DIFFUSE;
         any_open |= c->open;

@@ -1,12 +1,13 @@
 // Surfel values to pixels by the reconstruction filter, over all visibility samples of all pixels in its support.
 // A surfel stands for all its samples in its pixel, which blurs what changes within it. Where it lies at a drawn one, what its value differs by
-// from the pixel without its cell counts by the weight of that sample times the number of samples instead: the mean of images is the filtered
-// image, and where nothing changes no noise comes of it.
+// from what the same material shows in the pixels about counts by the weight of that sample times the number of samples instead: the mean of
+// images is the filtered image, and an even surface has no noise of it.
 
 #include "shared/film.h"
+#include "shared/surfel.h"
 
-/// Neighbours that are less of the pixel than this, beside a cell, do not say what it differs from.
-#define FILM_LEAST_REST 1e-3f
+/// Materials about a pixel that are told apart; surfels of others differ from 0.
+#define FILM_KINDS 4
 
 typedef struct FilmValues {
     global const float *values;  // first of three fields
@@ -36,12 +37,59 @@ static inline float3 cell_sum(const FilmValues *f, int pixel, global const float
     return sum;
 }
 
-/// What is to be added, since its surfels lie at drawn samples.
-static inline float3 cell_step(const FilmValues *f, int pixel, global const float *weights, float total, global const uchar *drawn,
-                               float3 elsewhere) {
-    int first = f->first_surfel[pixel];
-    if (f->counts[pixel] == 1) return (f->sample_count * weights[drawn[first]] - total) * (film_value(f, first) - elsewhere);
+/// What the materials about a pixel show, each in the sum over its surfels.
+typedef struct FilmKinds {
+    int rows[FILM_KINDS], counts[FILM_KINDS];
+    float3 sums[FILM_KINDS];
+    int used;
+} FilmKinds;
+
+static inline int film_row(global const float *surfels, size_t capacity, int surfel) {
+    return as_int(surfels[SURFEL_MATERIAL * capacity + surfel]);
+}
+
+static inline int find_kind(const FilmKinds *kinds, int row) {
+    int kind = 0;
+    while (kind < kinds->used && kinds->rows[kind] != row) ++kind;
+    return kind;
+}
+
+static inline void add_kinds(const FilmValues *f, int pixel, global const float *surfels, FilmKinds *kinds) {
+    int first = f->first_surfel[pixel], end = first + (f->counts[pixel] & FILM_COUNT_MASK);
+    for (int surfel = first; surfel < end; ++surfel) {
+        int row = film_row(surfels, f->capacity, surfel), kind = find_kind(kinds, row);
+        if (kind == FILM_KINDS) continue;
+        if (kind == kinds->used) {
+            kinds->rows[kind] = row;
+            kinds->counts[kind] = 0;
+            kinds->sums[kind] = (float3)(0.0f);
+            ++kinds->used;
+        }
+        kinds->sums[kind] += film_value(f, surfel);
+        ++kinds->counts[kind];
+    }
+}
+
+/// What a surfel of a pixel differs by from what its material shows in the other pixels about, so that none of its own chance is in that.
+static inline float3 film_difference(const FilmValues *f, int pixel, int surfel, global const float *surfels, const FilmKinds *kinds) {
+    float3 value = film_value(f, surfel);
+    int row = film_row(surfels, f->capacity, surfel), kind = find_kind(kinds, row);
+    if (kind == kinds->used) return value;
+    float3 sum = kinds->sums[kind];
+    int count = kinds->counts[kind], first = f->first_surfel[pixel], end = first + (f->counts[pixel] & FILM_COUNT_MASK);
+    for (int own = first; own < end; ++own)
+        if (film_row(surfels, f->capacity, own) == row) {
+            sum -= film_value(f, own);
+            --count;
+        }
+    return count > 0 ? value - sum / count : value;
+}
+
+/// What is to be added for a pixel, since its surfels lie at drawn samples.
+static inline float3 cell_step(const FilmValues *f, int pixel, global const float *weights, global const uchar *drawn,
+                               global const float *surfels, const FilmKinds *kinds) {
     global const uchar *slot = f->slots + (size_t)pixel * f->sample_count;
+    int first = f->first_surfel[pixel];
     float3 step = (float3)(0.0f);
     for (int k = 0; k < (f->counts[pixel] & FILM_COUNT_MASK); ++k) {
         float all = 0.0f;
@@ -51,7 +99,7 @@ static inline float3 cell_step(const FilmValues *f, int pixel, global const floa
                 all += weights[s];
                 ++members;
             }
-        step += (members * weights[drawn[first + k]] - all) * (film_value(f, first + k) - elsewhere);
+        step += (members * weights[drawn[first + k]] - all) * film_difference(f, pixel, first + k, surfels, kinds);
     }
     return step;
 }
@@ -59,13 +107,13 @@ static inline float3 cell_step(const FilmValues *f, int pixel, global const floa
 /// launch : 1-D, one work-item per pixel
 /// in     : values, fields first_field .. first_field + 2 of [field][capacity]; slots, counts, first_surfel; weights[(2 reach + 1)^2 *
 ///          sample_count]: the filter at each sample of each neighbour, row by row; totals[(2 reach + 1)^2]: sums over the samples of a
-///          neighbour; background[pixel * 3 + channel], if has_background: what samples show that show no surface; drawn[surfel]: where it lies,
-///          if at_drawn
+///          neighbour; background[pixel * 3 + channel], if has_background: what samples show that show no surface; if at_drawn, surfels, as many,
+///          and drawn[surfel]: the sample that it lies at
 /// out    : image[pixel * 3 + channel]
 kernel void resolve_film(global const float *values, int first_field, int capacity, global const uchar *slots, global const uchar *counts,
                          global const int *first_surfel, global const float *weights, global const float *totals, int reach,
                          int sample_count, int width, int height, global const float *background, int has_background,
-                         global const uchar *drawn, int at_drawn, global float *image) {
+                         global const float *surfels, global const uchar *drawn, int at_drawn, global float *image) {
     int pixel = get_global_id(0);
     if (pixel >= width * height) return;
     FilmValues film = {
@@ -74,20 +122,19 @@ kernel void resolve_film(global const float *values, int first_field, int capaci
     int side = 2 * reach + 1;
     float3 sum = (float3)(0.0f), steps = (float3)(0.0f);
     float norm = 0.0f;
+    FilmKinds kinds;
+    kinds.used = 0;
     for (int y = low.y; y <= high.y; ++y)
         for (int x = low.x; x <= high.x; ++x) {
             int cell = (y - centre.y + reach) * side + x - centre.x + reach;
             norm += totals[cell];
             sum += cell_sum(&film, y * width + x, weights + cell * sample_count, totals[cell]);
+            if (at_drawn) add_kinds(&film, y * width + x, surfels, &kinds);
         }
     for (int y = low.y; at_drawn && y <= high.y; ++y)
         for (int x = low.x; x <= high.x; ++x) {
             int cell = (y - centre.y + reach) * side + x - centre.x + reach;
-            global const float *w = weights + cell * sample_count;
-            float rest = norm - totals[cell];
-            if (!(fabs(rest) > FILM_LEAST_REST * fabs(norm))) continue;
-            float3 elsewhere = (sum - cell_sum(&film, y * width + x, w, totals[cell])) / rest;
-            steps += cell_step(&film, y * width + x, w, totals[cell], drawn, elsewhere);
+            steps += cell_step(&film, y * width + x, weights + cell * sample_count, drawn, surfels, &kinds);
         }
     vstore3(norm > 0.0f ? (sum + steps) / norm : (float3)(0.0f), pixel, image);
 }

@@ -1,5 +1,6 @@
 #include "certify/film_draws.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "shared/film.h"
@@ -10,12 +11,13 @@ FilmDraws::FilmDraws(const Film& film)
     : film_(film), slots_(film.slots().read()), drawn_(film.drawn()), first_surfel_(film.first_surfel().read()) {}
 
 /// Each sample has the weight of the one that its surfel lies at, as in resolve_film in the mean, over the sum of these: even surfaces have no
-/// noise of it, and what that errs at edges is far less than what a path does.
+/// noise of it. Where weights may cancel it has its own.
 std::vector<FilmDraws::Draw> FilmDraws::draw(std::size_t pixel, int count, double u) const {
     const FilterTable& table = film_.filter_table();
     const int width = film_.width(), height = film_.height(), reach = table.reach, x = static_cast<int>(pixel) % width,
               y = static_cast<int>(pixel) / width;
     const std::size_t samples = slots_.size() / first_surfel_.size();
+    const bool at_drawn = !drawn_.empty() && *std::min_element(table.weights.begin(), table.weights.end()) >= 0;
     std::vector<Draw> all;
     std::vector<double> up_to;
     double norm = 0, sum = 0;
@@ -29,7 +31,7 @@ std::vector<FilmDraws::Draw> FilmDraws::draw(std::size_t pixel, int count, doubl
             for (std::size_t s = 0; s < samples; ++s) {
                 const unsigned char slot = slots_[other * samples + s];
                 const int surfel = slot == NO_SURFEL ? -1 : first_surfel_[other] + slot;
-                const std::size_t at = surfel < 0 || drawn_.empty() ? s : drawn_[static_cast<std::size_t>(surfel)];
+                const std::size_t at = surfel < 0 || !at_drawn ? s : drawn_[static_cast<std::size_t>(surfel)];
                 const double weight = static_cast<double>(table.weights[cell * samples + at]);
                 norm += weight;
                 sum += std::abs(weight);

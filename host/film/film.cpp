@@ -57,7 +57,9 @@ Film::Film(Kernels& kernels, const DeviceScene& scene, const FilmCamera& camera,
     }
     surfels_ = Surfels(kernels, number_surfels(device), "film surfels");
     drawn_ = Buffer<unsigned char>(device, static_cast<std::size_t>(surfels_.capacity), "samples that surfels lie at");
-    at_drawn_ = !turn.alone && table_.reach > 0;
+    // Elsewhere light changes little within pixels, and its noise would count by uneven weights.
+    const bool changes = kernels.features().lobes || kernels.features().textures;
+    at_drawn_ = !turn.alone && changes && filter.kind != ReconstructionFilter::Kind::box;
     for (int row = 0; row < camera_.height; row += strip_rows_) {
         const int rows = std::min(strip_rows_, camera_.height - row);
         if (!one_strip) see(kernels, scene, row, rows);
@@ -142,7 +144,7 @@ std::vector<float> Film::resolve(Kernels& kernels, const Buffer<float>& values, 
     const Buffer<float> nothing(device, 1, "no background");
     kernels.get("resolve_film")
         .args(values, first_field, surfels_.capacity, pixels(), filter(), camera_.width, camera_.height, background ? *background : nothing,
-              background ? 1 : 0, drawn_, at_drawn ? 1 : 0, image)
+              background ? 1 : 0, surfels_.data, drawn_, at_drawn ? 1 : 0, image)
         .run(pixel_count(camera_), "resolve film");
     return image.read();
 }

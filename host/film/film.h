@@ -42,7 +42,8 @@ public:
     bool is_row_of_sensors() const { return !viewers_.empty(); }
 
     /// Pixels (rgb, rows from the top) of light, values[3][surfels().capacity], and of `background` where samples show nothing; launcher of
-    /// resolve_film. Of films that are one of many the mean of these is the filtered image.
+    /// resolve_film. Of films that are one of many the mean of these is the filtered image, but for the
+    /// background, which is a mean within pixels.
     std::vector<float> resolve(Kernels& kernels, const Buffer<float>& values, const Buffer<float>* background = nullptr) const;
     /// The same of three consecutive fields of surfels, each of which stands for its part of its pixel: no noise, but blurred within pixels.
     std::vector<float> resolve_fields(Kernels& kernels, int first_field) const;
@@ -51,7 +52,7 @@ public:
     /// The filter's share of each pixel that shows a surface, three times over.
     std::vector<float> cover(Kernels& kernels) const;
     /// For each surfel the visibility sample of its pixel that it lies at; empty if it stands for all of its samples alike: the film is the only
-    /// one, or the filter gives them one weight.
+    /// one, its filter is a box, or nothing changes light within pixels but shadows.
     std::vector<unsigned char> drawn() const { return at_drawn_ ? drawn_.read() : std::vector<unsigned char>(); }
     /// True if a visibility sample shows nothing.
     bool has_empty() const { return has_empty_; }

@@ -43,9 +43,13 @@ void LayerMean::add(std::vector<Layer> layers, double weight, int generation, in
                 static_cast<float>(share * (static_cast<double>(layers[l].pixels[i]) - static_cast<double>(mean_[l].pixels[i])));
 }
 
+bool LayerMean::has_sets() const {
+    return std::all_of(
+        of_set_.begin(), of_set_.end(), [](const Sum& s) { return s.weight > 0; });
+}
+
 void LayerMean::spread_outliers(int width) {
-    const auto is_empty = [](const Sum& s) { return s.weight == 0; };
-    if (std::any_of(of_set_.begin(), of_set_.end(), is_empty)) return;
+    if (!has_sets()) return;
     std::vector<ImageValues> images(of_set_.size(), first_);
     for (std::size_t s = 0; s < of_set_.size(); ++s)
         for (std::size_t i = 0; i < first_.size(); ++i)
@@ -53,7 +57,10 @@ void LayerMean::spread_outliers(int width) {
     const SpreadOutliers spread = pencil::spread_outliers(images, width);
     ImageValues steps(first_.size());
     for (std::size_t s = 0; s < of_set_.size(); ++s)
-        for (std::size_t i = 0; i < first_.size(); ++i) steps[i] += static_cast<float>(of_set_[s].weight / weight_) * spread.steps[s][i];
+        for (std::size_t i = 0; i < first_.size(); ++i) {
+            steps[i] += static_cast<float>(of_set_[s].weight / weight_) * spread.steps[s][i];
+            of_set_[s].value[i] += static_cast<float>(of_set_[s].weight) * spread.steps[s][i];
+        }
     for (Layer& layer : mean_) {
         if (&layer != &mean_.front() && layer.name != indirect_layer) continue;
         for (std::size_t i = 0; i < first_.size(); ++i) layer.pixels[i] += steps[i];
@@ -63,19 +70,15 @@ void LayerMean::spread_outliers(int width) {
         for (Sum& s : *halves) settle(s, spread.limits, steps);
 }
 
-/// The sum of images that have been spread: outliers end at their limits, the others get their steps.
+/// A sum of images that were spread by sets, not by what it sums: outliers become what the mean shows now, the others get its steps.
 void LayerMean::settle(Sum& sum, const std::vector<float>& limits, const std::vector<float>& steps) const {
     if (sum.weight == 0) return;
-    for (std::size_t i = 0; i < first_.size(); i += 3) {
-        std::array<double, 3> rgb{};
-        double all = 0;
-        for (std::size_t c = 0; c < 3; ++c)
-            all += rgb[c] = static_cast<double>(first_[i + c]) + static_cast<double>(sum.value[i + c]) / sum.weight;
-        const auto limit = static_cast<double>(limits[i / 3]);
-        for (std::size_t c = 0; c < 3; ++c) {
-            const double step = std::isinf(limit) ? static_cast<double>(steps[i + c]) : all > limit ? rgb[c] * (limit / all - 1) : 0;
-            sum.value[i + c] += static_cast<float>(sum.weight * step);
-        }
+    for (std::size_t i = 0; i < first_.size(); ++i) {
+        const double shown = static_cast<double>(mean_.front().pixels[i]) - static_cast<double>(first_[i]);
+        if (std::isinf(limits[i / 3]))
+            sum.value[i] += static_cast<float>(sum.weight) * steps[i];
+        else
+            sum.value[i] = static_cast<float>(sum.weight * shown);
     }
 }
 
@@ -94,9 +97,9 @@ double LayerMean::relative_mean(Square square) const {
 /// value wrong is not to hide how wrong it is beside the truth.
 double LayerMean::usual(std::size_t i) const {
     const auto shown = static_cast<double>(mean_.front().pixels[i]);
+    if (!has_sets()) return shown;
     double sum = 0, highest = 0;
     for (const Sum& s : of_) {
-        if (s.weight == 0) return shown;
         const double value = static_cast<double>(first_[i]) + static_cast<double>(s.value[i]) / s.weight;
         sum += value;
         highest = std::max(highest, value);
@@ -138,9 +141,9 @@ double LayerMean::shared_square() const {
 /// times what makes it unbiased where variances are as 1 / W: sum(W) / (sum(W) - W) for each.
 /// `value(s)`: W times M of a sequence.
 template <typename Value>
-double LayerMean::spread_of_mean(double mean, Value value) const {
+double LayerMean::spread_of_mean(const Sums& sums, double mean, Value value) const {
     double sum = 0;
-    for (const Sum& s : of_) {
+    for (const Sum& s : sums) {
         if (s.weight == 0) continue;
         const double step = value(s) - s.weight * mean;
         sum += step * step / (1.0 - s.weight / weight_);
@@ -148,9 +151,9 @@ double LayerMean::spread_of_mean(double mean, Value value) const {
     return sum / (weight_ * weight_);
 }
 
-double LayerMean::variance_of_mean(std::size_t i) const {
+double LayerMean::variance_of_mean(const Sums& sums, std::size_t i) const {
     const double mean = static_cast<double>(mean_.front().pixels[i]) - static_cast<double>(first_[i]);
-    return spread_of_mean(mean, [i](const Sum& s) { return static_cast<double>(s.value[i]); });
+    return spread_of_mean(sums, mean, [i](const Sum& s) { return static_cast<double>(s.value[i]); });
 }
 
 double LayerMean::mean_standard_error() const {
@@ -160,11 +163,13 @@ double LayerMean::mean_standard_error() const {
     };
     const double mean = average(mean_.front().pixels);
     if (!(mean > 0)) return 0;
-    return std::sqrt(spread_of_mean(mean - average(first_), [&](const Sum& s) { return average(s.value); })) / mean;
+    return std::sqrt(spread_of_mean(of_, mean - average(first_), [&](const Sum& s) { return average(s.value); })) / mean;
 }
 
+/// By the sequences, or, where there are sets, by these if they differ more: each of them lies in all sequences.
 double LayerMean::mean_square_noise() const {
-    return relative_mean([&](std::size_t i) { return variance_of_mean(i); });
+    const double noise = relative_mean([&](std::size_t i) { return variance_of_mean(of_, i); });
+    return has_sets() ? std::max(noise, relative_mean([&](std::size_t i) { return variance_of_mean(of_set_, i); })) : noise;
 }
 
 /// What the mean keeps of that if all generations err alike. Independence in shared_square and likeness here lie on either side of the
@@ -184,7 +189,7 @@ void LayerMean::append_error(std::vector<Layer>& layers) const {
     if (count_ < 2) return;
     const double noise = mean_square_noise(), scale = noise > 0 ? std::sqrt(1.0 + shared_square_error() / noise) : 1.0;
     Layer error{error_layer, 3, std::vector<float>(first_.size())};
-    for (std::size_t i = 0; i < first_.size(); ++i) error.pixels[i] = static_cast<float>(scale * std::sqrt(variance_of_mean(i)));
+    for (std::size_t i = 0; i < first_.size(); ++i) error.pixels[i] = static_cast<float>(scale * std::sqrt(variance_of_mean(of_, i)));
     layers.push_back(std::move(error));
 }
 

@@ -15,11 +15,11 @@ public:
     static constexpr int sequences = 4;
 
     /// Adds an image with its weight in the mean. Later images have the layers of the first, or the first of them: the others stay as they
-    /// are. Images of one `generation`, which never falls, may share an error that no sequence shows, and so may those of one `set`, also from 0
-    /// on; it is needed only by
+    /// are. Images of one `generation`, which never falls, may share an error that no sequence shows, and so may those of one `set`, of which there
+    /// are four kinds in turn; -1: sets are not looked at, and outliers are not to be spread.
     void add(std::vector<Layer> layers, double weight, int generation, int set = -1);
 
-    /// Spreads what only one of four kinds of sets, in turn, shows of a pixel, in the beauty and in its indirect light (outliers.h). Does nothing
+    /// Spreads what only one of the four kinds of sets shows of a pixel, in the beauty and in its indirect light (outliers.h). Does nothing
     /// before there are as many.
     void spread_outliers(int width);
 
@@ -47,13 +47,15 @@ private:
         std::vector<float> value;
         void add(const std::vector<float>& beauty, const std::vector<float>& first, double image_weight);
     };
+    using Sums = std::array<Sum, sequences>;
     using Halves = std::array<Sum, 2>;  // even and odd sequences
 
     void begin_generation(int generation);
+    bool has_sets() const;
     void settle(Sum& sum, const std::vector<float>& limits, const std::vector<float>& steps) const;
     template <typename Value>
-    double spread_of_mean(double mean, Value value) const;
-    double variance_of_mean(std::size_t i) const;
+    double spread_of_mean(const Sums& sums, double mean, Value value) const;
+    double variance_of_mean(const Sums& sums, std::size_t i) const;
     double mean_square_noise() const;
     double shared_square() const;
     double shared_square_error() const;
@@ -66,8 +68,7 @@ private:
     double weight_ = 0;
     std::vector<Layer> mean_;
     std::vector<float> first_;  // beauty of the first image
-    std::array<Sum, sequences> of_;
-    std::array<Sum, 4> of_set_;
+    Sums of_, of_set_;          // of the sequences; of the kinds of sets
     int generation_ = 0;
     std::vector<double> weights_{0.0};  // of the generations
     Halves now_, before_;               // of the generation and the last

@@ -13,25 +13,27 @@ namespace {
 constexpr double far_above = 2;
 /// Reach of the neighbours: edges of what is bright lie within it. And of what is about a pixel.
 constexpr int neighbours = 1, about = 4;
-/// Root mean square of what pixels get, in terms of their noise.
-constexpr double within_noise = 0.25;
+/// Root mean square of what pixels get from one, in terms of their noise: windows grow until it is less; and at most, in the widest one.
+constexpr double within_noise = 0.25, most_noise = 1;
+/// The noise of a pixel counts as that of those about it, but as no more than so many times what the pixel itself shows, as squares.
+constexpr double most_own = 4;
+/// Where a greater share of the pixels about are outliers, they are what there is: noise.
+constexpr double most_outliers = 0.2;
 
 struct Window {
     int x0, y0, x1, y1;  // up to and without x1, y1
     int size() const { return (x1 - x0) * (y1 - y0); }
 };
 
-/// A table of pixels, and of sums over all to the left and above.
+/// A table of pixels, and of sums over all to the left and above: of values of very different size, the small ones last.
 class Table {
 public:
     Table(int width, int height)
-        : width_(width), values_((static_cast<std::size_t>(width) + 1) * (static_cast<std::size_t>(height) + 1), 0.0) {}
-    double& at(int x, int y) {
-        return values_[static_cast<std::size_t>(y) * (static_cast<std::size_t>(width_) + 1) + static_cast<std::size_t>(x)];
-    }
-    double at(int x, int y) const { return const_cast<Table*>(this)->at(x, y); }
+        : width_(width), values_((static_cast<std::size_t>(width) + 1) * (static_cast<std::size_t>(height) + 1), 0.0L) {}
+    long double& at(int x, int y) { return values_[index(x, y)]; }
+    long double at(int x, int y) const { return values_[index(x, y)]; }
     /// Adds to all pixels of a window, once sum_up() was called.
-    void add(const Window& w, double value) {
+    void add(const Window& w, long double value) {
         at(w.x0, w.y0) += value;
         at(w.x1, w.y0) -= value;
         at(w.x0, w.y1) -= value;
@@ -41,7 +43,7 @@ public:
         const int height = static_cast<int>(values_.size()) / (width_ + 1) - 1;
         for (int y = 0; y <= height; ++y)
             for (int x = 0; x <= width_; ++x) {
-                double& sum = at(x, y);
+                long double& sum = at(x, y);
                 if (x > 0) sum += at(x - 1, y);
                 if (y > 0) sum += at(x, y - 1);
                 if (x > 0 && y > 0) sum -= at(x - 1, y - 1);
@@ -49,8 +51,12 @@ public:
     }
 
 private:
+    std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y) * (static_cast<std::size_t>(width_) + 1) + static_cast<std::size_t>(x);
+    }
+
     int width_;
-    std::vector<double> values_;
+    std::vector<long double> values_;
 };
 
 /// Sums over windows of one value for each pixel.
@@ -61,7 +67,9 @@ public:
             sums_.at(static_cast<int>(i) % width + 1, static_cast<int>(i) / width + 1) = values[i];
         sums_.sum_up();
     }
-    double over(const Window& w) const { return sums_.at(w.x1, w.y1) - sums_.at(w.x0, w.y1) - sums_.at(w.x1, w.y0) + sums_.at(w.x0, w.y0); }
+    double over(const Window& w) const {
+        return static_cast<double>(sums_.at(w.x1, w.y1) - sums_.at(w.x0, w.y1) - sums_.at(w.x1, w.y0) + sums_.at(w.x0, w.y0));
+    }
 
 private:
     Table sums_;
@@ -81,6 +89,7 @@ public:
         for (std::size_t i = 0; i < pixels_; ++i) look_at(i, means[i]);
         const WindowSums sums(means, width);
         for (std::size_t i = 0; i < pixels_; ++i) limit(i, sums);
+        compare();
     }
 
     SpreadOutliers spread() const {
@@ -130,7 +139,7 @@ private:
         double most = means.over(wide) / wide.size();
         for (int y = near.y0; y < near.y1; ++y)
             for (int x = near.x0; x < near.x1; ++x) most = std::max(most, rest_[static_cast<std::size_t>(y * width_ + x)]);
-        limit_[i] = far_above * most;
+        limit_[i] = far_above * std::max(most, 0.0);
         double sum = 0, squares = 0, count = 0;
         for (std::size_t image = 0; image < images_.size(); ++image) {
             const double value = shown(image, i);
@@ -142,18 +151,36 @@ private:
         square_[i] = count > 1 ? std::max(squares - sum * sum / count, 0.0) / (count - 1) : 0.0;
     }
 
+    /// The noise of one pixel is hardly known, or rare itself: that of those about it counts, as a geometric mean. Where many are outliers none is.
+    void compare() {
+        std::vector<double> logs(pixels_), noisy(pixels_), outliers(pixels_);
+        for (std::size_t i = 0; i < pixels_; ++i) {
+            noisy[i] = square_[i] > 0 ? 1 : 0;
+            logs[i] = square_[i] > 0 ? std::log(square_[i]) : 0;
+            outliers[i] = shown(highest_[i], i) > limit_[i] ? 1 : 0;
+        }
+        const WindowSums log_sums(logs, width_), noisy_sums(noisy, width_), outlier_sums(outliers, width_);
+        for (std::size_t i = 0; i < pixels_; ++i) {
+            const Window w = window(i, about);
+            if (square_[i] > 0) square_[i] = std::min(most_own * square_[i], std::exp(log_sums.over(w) / noisy_sums.over(w)));
+            if (outlier_sums.over(w) > most_outliers * w.size()) limit_[i] = std::numeric_limits<double>::infinity();
+        }
+    }
+
     /// Takes what is too much from a pixel, and notes where it goes: in proportion to the square of the noise, which is the least change in terms
-    /// of it. False where nothing has noise.
+    /// of it. False where all noise is too small to hide it.
     bool take(std::size_t image, std::size_t i, const WindowSums& squares, ImageValues& steps, std::array<Table, 3>& parts) const {
-        const double all = shown(image, i), share = 1 - std::max(limit_[i], 0.0) / all, excess = share * all;
+        const double all = shown(image, i), share = 1 - limit_[i] / all, excess = share * all;
+        const auto is_more_than = [&](double noises, const Window& w, double sum) {
+            return excess * excess > noises * noises * w.size() * sum;
+        };
         Window w = window(i, 1);
         double sum = squares.over(w);
-        for (int reach = 2; excess * excess > within_noise * within_noise * w.size() * sum && w.size() < static_cast<int>(pixels_);
-             reach *= 2) {
+        for (int reach = 2; is_more_than(within_noise, w, sum) && w.size() < static_cast<int>(pixels_); reach *= 2) {
             w = window(i, reach);
             sum = squares.over(w);
         }
-        if (!(sum > 0) || !std::isfinite(excess / sum)) return false;
+        if (is_more_than(most_noise, w, sum)) return false;
         for (std::size_t c = 0; c < 3; ++c) {
             const double part = share * static_cast<double>(images_[image][3 * i + c]);
             steps[3 * i + c] -= static_cast<float>(part);
@@ -166,8 +193,8 @@ private:
         for (std::size_t c = 0; c < 3; ++c) {
             parts[c].sum_up();
             for (std::size_t i = 0; i < pixels_; ++i)
-                steps[3 * i + c] +=
-                    static_cast<float>(square_[i] * parts[c].at(static_cast<int>(i) % width_, static_cast<int>(i) / width_));
+                steps[3 * i + c] += static_cast<float>(
+                    square_[i] * static_cast<double>(parts[c].at(static_cast<int>(i) % width_, static_cast<int>(i) / width_)));
         }
     }
 
@@ -177,7 +204,7 @@ private:
     std::vector<std::size_t> highest_;  // image
     std::vector<double> rest_;          // what the others show in the mean
     std::vector<double> limit_;
-    std::vector<double> square_;  // variance of what an image shows
+    std::vector<double> square_;  // about the variance of what an image shows
 };
 
 }  // namespace

@@ -14,9 +14,9 @@ public:
         count_ += power > 0 ? 1 : 0;
     }
     bool empty() const { return count_ == 0; }
-    /// Of a light of so much power above 0, which was added.
-    double of(double power) const { return power * per_power(power); }
-    /// The same for each unit of that power, to share it out among parts of the light.
+    /// Of a light of so much power, which was added.
+    double of(double power) const { return power > 0 ? power * per_power(power) : 0; }
+    /// The same for each unit of that power above 0, to share it out among parts of the light.
     double per_power(double power) const { return (1 - even_share) / total_ + even_share / (count_ * power); }
 
 private:

@@ -73,9 +73,8 @@ struct SceneMaterial {
 
     // Relief of the shading normal.
     int normal_texture = no_texture;
-    bool bump = false;  // heights, else normals in tangent space, (n + 1) / 2 in rgb: x along u,
-    bool y_against_v =
-        false;  // y: up in pictures, against v (glTF, MTL); else a left turn from u, also where coordinates are mirrored (Mitsuba)
+    bool bump = false;         // heights, else normals in tangent space, (n + 1) / 2 in rgb, x along u
+    bool y_against_v = false;  // y of normals: up in pictures (glTF, MTL); else a left turn from u, also where those are mirrored (Mitsuba)
     float bump_scale = 1.0F;
 };
 

@@ -81,7 +81,8 @@ void add_material(Hash& hash, const SceneMaterial& m) {
     for (const int value :
          {m.model, m.albedo_texture, m.specular_texture, m.transmitted_texture, m.alpha_texture, m.weight_texture, m.normal_texture})
         hash.add(value);
-    for (const bool value : {m.two_sided, m.perfect_mirror, m.beckmann, m.nonlinear, m.thin, m.weight_is_opacity, m.bump, m.y_against_v}) hash.add(value);
+    for (const bool value : {m.two_sided, m.perfect_mirror, m.beckmann, m.nonlinear, m.thin, m.weight_is_opacity, m.bump, m.y_against_v})
+        hash.add(value);
     for (const glm::vec3& value : {m.albedo, m.parameters, m.specular, m.transmitted, m.eta, m.k}) hash.add(value);
     for (const std::int64_t value : {m.back, m.blended[0], m.blended[1]}) hash.add(value);
     for (const float value : {m.exponent, m.weight, m.bump_scale}) hash.add(value);

@@ -70,7 +70,7 @@ void resolve(benchmark::State& state) {
         [&] {
             bench.kernels.get("resolve_film")
                 .args(device_values, 0, capacity, slots, counts, first, weights, totals, table.reach, samples, side, side, nothing, 0,
-                      drawn, 0, image)
+                      device_values, drawn, 0, image)
                 .run(pixels.counts.size(), "resolve bench film");
         },
         [&] { native::resolve_film(view, values.data(), static_cast<std::size_t>(capacity), native_image.data()); },

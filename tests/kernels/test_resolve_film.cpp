@@ -1,8 +1,11 @@
 // Film reconstruction against the plain sum over all samples of all pixels, for every filter.
+#include <cstring>
+
 #include "kernels/film_test.h"
 #include "pencils/film_filter.h"
 #include "reference/film_ref.h"
 #include "shared/film.h"
+#include "shared/surfel.h"
 
 namespace {
 
@@ -64,12 +67,13 @@ void check(const Case& c, int width, int height, int samples, bool constant, boo
     const FilterTable table = tabulate_filter(filter, offsets);
     Kernels kernels = make_kernels(false, Weights::dpdf, 0, samples);
     Buffer<float> image(device(), static_cast<std::size_t>(width * height) * 3, "image");
+    const Buffer<float> nothing(device(), 1, "surfels");
     kernels.get("resolve_film")
         .args(Buffer<float>(device(), values, "values"), first_field, capacity, Buffer<unsigned char>(device(), pixels.slots, "slots"),
               Buffer<unsigned char>(device(), pixels.counts, "counts"), Buffer<int>(device(), pixels.first, "first"),
               Buffer<float>(device(), table.weights, "weights"), Buffer<float>(device(), table.totals, "totals"), table.reach, samples,
-              width, height, Buffer<float>(device(), behind, "background"), background ? 1 : 0, Buffer<unsigned char>(device(), 1, "drawn"),
-              0, image)
+              width, height, Buffer<float>(device(), behind, "background"), background ? 1 : 0, nothing,
+              Buffer<unsigned char>(device(), 1, "drawn"), 0, image)
         .run(static_cast<std::size_t>(width * height), "resolve film");
     const std::vector<float> got = image.read();
     for (int p = 0; p < width * height; ++p) {
@@ -107,64 +111,85 @@ TEST(ResolveFilm, EveryFilterAndSize) {
     }
 }
 
-/// The value of a sample of a pixel, of which surfel `slot` shows it: changes within the pixel.
-double value_at(int pixel, int slot, int sample, int channel) { return 1.0 + std::sin(3.0 * pixel + 5.0 * slot + 2.0 * sample + channel); }
+constexpr int drawn_width = 7, drawn_height = 5, drawn_samples = 4, drawn_capacity = 256;
 
-/// Surfels that lie at drawn samples: over all draws, in step in all pixels or not, the mean is what the samples themselves show.
+/// What a sample of a pixel shows of surfel `slot`: changes within the pixel.
+double value_at(int pixel, int slot, int sample, int channel) { return 1.0 + std::sin(3.0 * pixel + 5.0 * slot + 2.0 * sample + channel); }
+float behind_at(int pixel, int channel) { return 0.1F * static_cast<float>(pixel % 7) + static_cast<float>(channel); }
+
+/// Each surfel at one of its samples.
+void draw(Random& random, const Pixels& pixels, std::vector<float>& values, std::vector<unsigned char>& drawn) {
+    for (int p = 0; p < drawn_width * drawn_height; ++p)
+        for (int slot = 0; slot < (pixels.counts[static_cast<std::size_t>(p)] & FILM_COUNT_MASK); ++slot) {
+            const auto surfel = static_cast<std::size_t>(pixels.first[static_cast<std::size_t>(p)] + slot);
+            std::vector<int> own;
+            for (int s = 0; s < drawn_samples; ++s)
+                if (pixels.slots[static_cast<std::size_t>(p * drawn_samples + s)] == slot) own.push_back(s);
+            if (own.empty()) continue;
+            const int s = own[static_cast<std::size_t>(random.index(static_cast<int>(own.size())))];
+            drawn[surfel] = static_cast<unsigned char>(s);
+            for (int c = 0; c < 3; ++c)
+                values[static_cast<std::size_t>(c * drawn_capacity) + surfel] = static_cast<float>(value_at(p, slot, s, c));
+        }
+}
+
+/// What the samples themselves show through the filter; and the sum of its magnitudes over its sum.
+std::pair<double, double> filtered(const Pixels& pixels, const FilterTable& table, int p, int channel) {
+    const int side = 2 * table.reach + 1, px = p % drawn_width, py = p / drawn_width;
+    double sum = 0, norm = 0, magnitude = 0;
+    for (int y = std::max(py - table.reach, 0); y <= std::min(py + table.reach, drawn_height - 1); ++y)
+        for (int x = std::max(px - table.reach, 0); x <= std::min(px + table.reach, drawn_width - 1); ++x)
+            for (int s = 0; s < drawn_samples; ++s) {
+                const int cell = (y - py + table.reach) * side + x - px + table.reach, q = y * drawn_width + x;
+                const auto w = static_cast<double>(table.weights[static_cast<std::size_t>(cell * drawn_samples + s)]);
+                const unsigned char slot = pixels.slots[static_cast<std::size_t>(q * drawn_samples + s)];
+                norm += w;
+                magnitude += std::abs(w);
+                sum += w * (slot == NO_SURFEL ? static_cast<double>(behind_at(q, channel)) : value_at(q, slot, s, channel));
+            }
+    return {sum / norm, magnitude / std::abs(norm)};
+}
+
+/// Surfels of some materials that lie at drawn samples: over independent draws the mean is what the samples themselves show.
 TEST(ResolveFilm, DrawnSamplesAreTheFilteredImageInTheMean) {
-    constexpr int width = 7, height = 5, samples = 4, capacity = 256, images = 6000;
+    constexpr int images = 6000, size = drawn_width * drawn_height;
+    Random random(131);
+    const Pixels pixels = random_pixels(random, size, drawn_samples);
+    std::vector<float> surfels(static_cast<std::size_t>(SURFEL_FIELDS * drawn_capacity)), behind;
+    for (int i = 0; i < drawn_capacity; ++i) {
+        const int row = i % 6;  // more than are told apart
+        std::memcpy(&surfels[static_cast<std::size_t>(SURFEL_MATERIAL * drawn_capacity + i)], &row, sizeof row);
+    }
+    for (int i = 0; i < 3 * size; ++i) behind.push_back(behind_at(i / 3, i % 3));
+    const Buffer<unsigned char> slots(device(), pixels.slots, "slots"), counts(device(), pixels.counts, "counts");
+    const Buffer<int> first(device(), pixels.first, "first");
+    const Buffer<float> surfels_of(device(), surfels, "surfels"), background(device(), behind, "background");
     for (const Case& c : cases) {
         SCOPED_TRACE("filter " + std::to_string(static_cast<int>(c.kind)));
-        Random random(131);
-        const Pixels pixels = random_pixels(random, width * height, samples);
         ReconstructionFilter filter;
         filter.kind = c.kind;
         filter.radius = c.radius;
-        const FilterTable table = tabulate_filter(filter, film_sample_offsets(samples, 7));
-        Kernels kernels = make_kernels(false, Weights::dpdf, 0, samples);
-        const Buffer<unsigned char> slots(device(), pixels.slots, "slots"), counts(device(), pixels.counts, "counts");
-        const Buffer<int> first(device(), pixels.first, "first");
-        const Buffer<float> weights(device(), table.weights, "weights"), totals(device(), table.totals, "totals"),
-            nothing(device(), 1, "background");
-        Buffer<float> image(device(), static_cast<std::size_t>(width * height) * 3, "image");
+        const FilterTable table = tabulate_filter(filter, film_sample_offsets(drawn_samples, 7));
+        Kernels kernels = make_kernels(false, Weights::dpdf, 0, drawn_samples);
+        const Buffer<float> weights(device(), table.weights, "weights"), totals(device(), table.totals, "totals");
+        Buffer<float> image(device(), static_cast<std::size_t>(3 * size), "image");
         std::vector<double> mean(image.size(), 0.0);
         for (int k = 0; k < images; ++k) {
-            std::vector<float> values(3 * capacity, 0.0F);
-            std::vector<unsigned char> drawn(capacity, 0);
-            for (int p = 0; p < width * height; ++p)
-                for (int slot = 0; slot < (pixels.counts[static_cast<std::size_t>(p)] & FILM_COUNT_MASK); ++slot) {
-                    const auto surfel = static_cast<std::size_t>(pixels.first[static_cast<std::size_t>(p)] + slot);
-                    std::vector<int> own;
-                    for (int s = 0; s < samples; ++s)
-                        if (pixels.slots[static_cast<std::size_t>(p * samples + s)] == slot) own.push_back(s);
-                    if (own.empty()) continue;
-                    const int s = own[static_cast<std::size_t>(random.index(static_cast<int>(own.size())))];
-                    drawn[surfel] = static_cast<unsigned char>(s);
-                    for (int channel = 0; channel < 3; ++channel)
-                        values[static_cast<std::size_t>(channel * capacity) + surfel] = static_cast<float>(value_at(p, slot, s, channel));
-                }
+            std::vector<float> values(3 * drawn_capacity, 0.0F);
+            std::vector<unsigned char> drawn(drawn_capacity, 0);
+            draw(random, pixels, values, drawn);
             kernels.get("resolve_film")
-                .args(Buffer<float>(device(), values, "values"), 0, capacity, slots, counts, first, weights, totals, table.reach, samples,
-                      width, height, nothing, 0, Buffer<unsigned char>(device(), drawn, "drawn"), table.reach > 0 ? 1 : 0, image)
-                .run(static_cast<std::size_t>(width * height), "resolve film");
+                .args(Buffer<float>(device(), values, "values"), 0, drawn_capacity, slots, counts, first, weights, totals, table.reach,
+                      drawn_samples, drawn_width, drawn_height, background, 1, surfels_of, Buffer<unsigned char>(device(), drawn, "drawn"),
+                      1, image)
+                .run(static_cast<std::size_t>(size), "resolve film");
             const std::vector<float> got = image.read();
             for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += static_cast<double>(got[i]) / images;
         }
-        const int side = 2 * table.reach + 1;
-        for (int p = 0; p < width * height; ++p)
+        for (int p = 0; p < size; ++p)
             for (int channel = 0; channel < 3; ++channel) {
-                double sum = 0, norm = 0, magnitude = 0;
-                for (int y = std::max(p / width - table.reach, 0); y <= std::min(p / width + table.reach, height - 1); ++y)
-                    for (int x = std::max(p % width - table.reach, 0); x <= std::min(p % width + table.reach, width - 1); ++x)
-                        for (int s = 0; s < samples; ++s) {
-                            const int cell = (y - p / width + table.reach) * side + x - p % width + table.reach, q = y * width + x;
-                            const auto w = static_cast<double>(table.weights[static_cast<std::size_t>(cell * samples + s)]);
-                            const unsigned char slot = pixels.slots[static_cast<std::size_t>(q * samples + s)];
-                            norm += w;
-                            magnitude += std::abs(w);
-                            if (slot != NO_SURFEL) sum += w * value_at(q, slot, s, channel);
-                        }
-                ASSERT_NEAR(mean[static_cast<std::size_t>(3 * p + channel)], sum / norm, 0.04 * magnitude / std::abs(norm))
+                const auto [expected, magnitude] = filtered(pixels, table, p, channel);
+                ASSERT_NEAR(mean[static_cast<std::size_t>(3 * p + channel)], expected, 0.04 * magnitude)
                     << "pixel " << p << " channel " << channel;
             }
     }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 
 #include "film/layer_mean.h"
 #include "reference/random.h"
@@ -125,13 +126,50 @@ TEST(LayerMean, ErrorsOfOutliersAreRelativeToWhatTheOthersShow) {
         std::vector<Layer> image = noisy(random, 3000, 0.02);
         if (k == 5)
             for (std::size_t i = 0; i < 30; ++i) image.front().pixels[i] = 2.0F + 8 * 20.0F;
-        mean.add(std::move(image), 1.0, 0);
+        mean.add(std::move(image), 1.0, 0, k);
     }
     const double truth = 0.01 * 20.0 * 20.0 / 4.0;
     EXPECT_NEAR(mean.relative_mean_square_error() / truth, 1.0, 0.2);
     EXPECT_NEAR(mean.usual_values()[0], 2.0F, 0.1F);
     EXPECT_NEAR(mean.usual_values()[100], 2.0F, 0.1F);
     EXPECT_EQ(mean.usual_values()[100], mean.beauty()[100]);
+}
+
+/// Spots of one set, which lies in all sequences: they are spread, the sum stays, and the error is about known.
+TEST(LayerMean, SpotsOfASetAreSpread) {
+    constexpr int width = 50;
+    ref::Random random(11);
+    LayerMean mean;
+    std::vector<std::size_t> spots;
+    for (int set = 0, image = 0; set < 6; ++set) {
+        spots.clear();
+        for (int k = 0; k < 20; ++k)
+            spots.push_back(static_cast<std::size_t>((20 * set + k) * 827 % (width * width)));  // all of them apart
+        for (int k = 0; k < 4; ++k, ++image) {
+            std::vector<Layer> layers = noisy(random, 3 * width * width, 0.2);
+            layers.push_back({indirect_layer, 3, layers.front().pixels});
+            for (Layer& layer : layers)
+                for (const std::size_t spot : spots)
+                    for (std::size_t c = 0; c < 3; ++c) layer.pixels[3 * spot + c] += 60.0F;
+            mean.add(std::move(layers), 1.0, 0, set);
+        }
+    }
+    const double truth = 2.0 + 20 * 60.0 / (width * width);
+    const auto error = [&](const LayerMean& of) {
+        double sum = 0;
+        for (const float v : of.beauty())
+            sum += (static_cast<double>(v) - truth) * (static_cast<double>(v) - truth) / (1.01 * truth * truth);
+        return sum / static_cast<double>(of.beauty().size());
+    };
+    const auto sum = [](const std::vector<float>& v) { return std::accumulate(v.begin(), v.end(), 0.0); };
+    LayerMean spread = mean;
+    spread.spread_outliers(width);
+    EXPECT_LT(error(spread), 0.1 * error(mean));
+    EXPECT_NEAR(sum(spread.beauty()) / sum(mean.beauty()), 1.0, 1e-4);
+    EXPECT_GT(spread.relative_mean_square_error(), 0.3 * error(spread));
+    EXPECT_LT(spread.relative_mean_square_error(), 3.0 * error(spread));
+    const std::vector<Layer> layers = spread.take();
+    for (std::size_t i = 0; i < layers[0].pixels.size(); ++i) EXPECT_NEAR(layers[0].pixels[i], layers[1].pixels[i], 1e-3F);
 }
 
 }  // namespace
