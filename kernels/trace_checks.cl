@@ -101,6 +101,10 @@ static inline float3 next_direction(CheckPath *p) {
     } else {
         BsdfSample s = bsdf_sample(&p->at.bsdf, seen_from(p->at.n, p->at.o), (float3)(u, v, w));
         direction = s.omega_i.x * t + s.omega_i.y * b + s.omega_i.z * p->at.n;
+        if (!any(s.weight > 0.0f)) {  // there is no direction
+            p->throughput = (float3)(0.0f);
+            return direction;
+        }
         if (PENCIL_CLEAR && goes_straight(&p->at.bsdf, &s)) {
             p->throughput *= s.weight / (1.0f - chance);
             return direction;
