@@ -100,6 +100,22 @@ TEST(ErrorCheck, AgreesWithThePathTracer) {
     EXPECT_LT(found.mean_error, 0.01);
 }
 
+/// Where a lobe draws no direction a path ends: among rough metals many do.
+TEST(ErrorCheck, AgreesWithThePathTracerAmongRoughMetals) {
+    Scene scene = closed_room();
+    for (SceneMaterial& m : scene.materials) {
+        m.model = MATERIAL_CONDUCTOR;
+        m.alpha = glm::vec2(0.8F);
+        m.eta = glm::vec3(0.2F, 0.9F, 1.4F);
+        m.k = glm::vec3(3.9F, 2.4F, 1.6F);
+    }
+    Checked checked(std::move(scene));
+    for (std::uint64_t film = 1; film < 5; ++film) checked.look(1 << 14, film);
+    const CertifiedError found = checked.certify(checked.check, truth(checked.scene, 512, 3));
+    EXPECT_NEAR(found.mean_bias, 0.0, 4.0 * found.mean_error);
+    EXPECT_LT(found.mean_error, 0.02);
+}
+
 /// An image that is off by a known amount, by noise or by a corner that is too bright: the interval holds it nearly always.
 TEST(ErrorCheck, TheIntervalHoldsTheTruth) {
     Checked checked(closed_room());
