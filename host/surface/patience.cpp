@@ -17,7 +17,7 @@ constexpr double mean_share = 0.1;
 /// From so many passes on, an error that twice the passes do not lower to this share does not fall any more.
 constexpr int steady_passes = 64;
 constexpr double falling_share = 0.85;
-/// And from so many on where it is so many times what was asked for: that is no matter of patience.
+/// And from so many on where it is surely so many times what was asked for: that is no matter of patience.
 constexpr int hopeless_passes = 16;
 constexpr double hopeless = 100;
 
@@ -32,10 +32,10 @@ bool Patience::knows_the_mean(const PassesSoFar& so_far) const {
 }
 
 Patience::Answer Patience::ask(const PassesSoFar& so_far) {
-    const auto& [passes, error, mean_error, certified] = so_far;
+    const auto& [passes, error, sure_error, mean_error, certified] = so_far;
     if (passes >= 2 && !std::isfinite(error)) return {true, "the image holds values that are not finite: stopped, the error is not known"};
     if (passes >= least_passes && error <= target_ && knows_the_mean(so_far)) return {true, {}};
-    const int patience = error > hopeless * target_ ? hopeless_passes : steady_passes;
+    const int patience = sure_error > hopeless * target_ ? hopeless_passes : steady_passes;
     const bool stuck = error > target_ && passes >= patience && passes == 2 * error_passes_ && error > falling_share * last_error_;
     if (stuck || passes >= most_passes)
         return {true,

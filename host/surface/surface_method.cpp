@@ -258,7 +258,10 @@ bool SurfaceMethod::enough(double pace) {
     const CertifiedError certified = certify(mean);
     const double error = error_of(mean, certified);
     if (mean_.count() >= 2) clock.set_fraction(std::min(options.target_error / error, 1.0));
-    const Patience::Answer answer = patience_.ask({index_, error, student(mean_.count()) * mean_.mean_standard_error(), certified});
+    CertifiedError at_least = certified;
+    at_least.relmse -= 2 * certified.standard_error;
+    const Patience::Answer answer =
+        patience_.ask({index_, error, error_of(mean, at_least), student(mean_.count()) * mean_.mean_standard_error(), certified});
     if (answer.reason) context_.stats.warnings.push_back(*answer.reason);
     return answer.enough;
 }
