@@ -23,7 +23,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int schema = 1;
+constexpr int comparison_schema = 1;
 
 std::string non_finite_text(const std::string& layer, const std::string& file, const NonFinite& found) {
     return fmt::format("layer {} of {}: {} values are NaN or infinite, the first in channel {} at pixel ({}, {})", layer, file,
@@ -95,7 +95,7 @@ Json layer_json(const LayerComparison& layer) {
 }
 
 Json comparison_json(const Comparison& comparison, const CompareCommand& command, const std::vector<std::string>& warnings) {
-    Json json{{"schema", schema},
+    Json json{{"schema", comparison_schema},
               {"version", PENCIL_VERSION},
               {"image", command.image.string()},
               {"reference", command.reference.string()},

@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int schema = 1;
+constexpr int reference_schema = 1;
 
 double per_second(std::uint64_t count, double seconds) { return seconds > 0 ? static_cast<double>(count) / seconds : 0; }
 
@@ -82,7 +82,7 @@ Metadata image_metadata(const ReferenceReport& report, const ReferenceCommand& c
 
 void write_stats(const std::filesystem::path& file, const ReferenceReport& report, const ReferenceCommand& command) {
     const ReferenceResult& result = report.result;
-    const Json json{{"schema", schema},
+    const Json json{{"schema", reference_schema},
                     {"version", PENCIL_VERSION},
                     {"method", "path tracing"},
                     {"scene", command.scene.string()},

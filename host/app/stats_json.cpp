@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int schema = 1;
+constexpr int stats_schema = 1;
 
 Json all_options_json(const RunReport& report, const RenderCommand& command) {
     RenderOptions options = report.options;
@@ -91,7 +91,7 @@ Json certified_json(const CertifiedError& certified) {
 
 void write_stats(const std::filesystem::path& file, const RunReport& report, const RenderCommand& command) {
     const RenderStats& stats = report.stats;
-    const Json json{{"schema", schema},
+    const Json json{{"schema", stats_schema},
                     {"version", PENCIL_VERSION},
                     {"scene", command.scene.string()},
                     {"options", all_options_json(report, command)},

@@ -21,7 +21,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int schema = 1;
+constexpr int stress_schema = 1;
 
 /// Those asked for by name, or all quick ones, or all.
 std::vector<StressCase> chosen(const StressCommand& command) {
@@ -81,7 +81,7 @@ Json result_json(const StressResult& result) {
 void print_json(const std::vector<StressResult>& results, const Device& device) {
     Json rows = Json::array();
     for (const StressResult& r : results) rows.push_back(result_json(r));
-    const Json json{{"schema", schema}, {"version", PENCIL_VERSION}, {"device", device.info().name}, {"cases", rows}};
+    const Json json{{"schema", stress_schema}, {"version", PENCIL_VERSION}, {"device", device.info().name}, {"cases", rows}};
     std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
 }
 

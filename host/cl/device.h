@@ -61,6 +61,9 @@ public:
     void add_build_seconds(double s) { build_seconds_ += s; }
     void finish();
 
+    /// Programs of this device by options and source: renders one after the other build each but once.
+    std::map<std::string, cl::Program>& programs() { return programs_; }
+
     ~Device();
     Device(const Device&) = delete;
     Device& operator=(const Device&) = delete;
@@ -75,6 +78,7 @@ private:
     int packet_width_ = 1;
     std::uint64_t allocated_ = 0, peak_ = 0;
     double build_seconds_ = 0;
+    std::map<std::string, cl::Program> programs_;
     std::vector<std::pair<std::string, cl::Event>> pending_;
     std::map<std::string, LaunchTimes> times_;
 };

@@ -114,6 +114,8 @@ cl::Program ProgramCache::build(const std::string& file, const Defines& defines)
     const std::string source = prelude + program_source(file);
     const std::string folder = environment("PENCIL_DUMP_KERNELS"), options = build_options(defines);
     if (!folder.empty()) dump_source(folder, file, defines, source);
+    const std::string key = options + "\n" + source;
+    if (const auto known = device_->programs().find(key); known != device_->programs().end()) return known->second;
 
     const auto start = std::chrono::steady_clock::now();
     cl::Program program = cl_call([&] { return "creating the program " + file; }, [&] { return cl::Program(device_->context(), source); });
@@ -125,7 +127,7 @@ cl::Program ProgramCache::build(const std::string& file, const Defines& defines)
                           build_log(program, device_->cl_device()));
     }
     device_->add_build_seconds(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-    return program;
+    return device_->programs().emplace(key, program).first->second;
 }
 
 std::vector<std::string> ProgramCache::built() const {

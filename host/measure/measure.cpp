@@ -11,6 +11,7 @@
 #include "measure/sensor_film.h"
 #include "reference/path_tracer.h"
 #include "render/render_session.h"
+#include "util/constants.h"
 
 namespace pencil {
 
@@ -18,7 +19,6 @@ namespace {
 
 using Values = std::vector<double>;
 
-constexpr double pi = 3.14159265358979323846;
 /// Direct light alone goes on as long as all light does [s].
 constexpr double endless = 1e6;
 constexpr double unknown = std::numeric_limits<double>::infinity();

@@ -11,7 +11,7 @@ namespace pencil {
 namespace {
 
 /// Boxes are wider than their triangles by this, so that rounding cuts nothing off (PLANE_TOLERANCE of kernels/lib/triangle.cl).
-constexpr float widen = 1e-6F;
+constexpr float cluster_margin = 1e-6F;
 /// Bits of each coordinate along the curve.
 constexpr int curve_bits = 10;
 /// Triangles whose extents differ by more than this factor are kept apart: one wall would blow up the box of small things beside it.
@@ -26,15 +26,15 @@ std::uint32_t spread(std::uint32_t v) {
     return (v | v << 2) & 0x09249249U;
 }
 
-struct Box {
+struct TriangleBox {
     float4 low, high;
 };
 
-Box box_of(const Triangle& t) { return {glm::min(glm::min(t.v0, t.v1), t.v2), glm::max(glm::max(t.v0, t.v1), t.v2)}; }
+TriangleBox box_of(const Triangle& t) { return {glm::min(glm::min(t.v0, t.v1), t.v2), glm::max(glm::max(t.v0, t.v1), t.v2)}; }
 
 /// Class of size, large first, then place along the curve. Coordinates are those of a normalised scene.
 std::uint64_t curve_key(const Triangle& triangle) {
-    const Box box = box_of(triangle);
+    const TriangleBox box = box_of(triangle);
     const float4 extent = box.high - box.low;
     const float size = std::max({extent.x, extent.y, extent.z, 1e-6F});
     const int smallness = std::clamp(static_cast<int>(-std::log(size) / std::log(size_step)), 0, largest_size);
@@ -60,9 +60,9 @@ Clusters cluster_triangles(const std::vector<Triangle>& triangles) {
         const std::size_t last = std::min<std::size_t>(first + CLUSTER_TRIANGLES, triangles.size());
         Cluster cluster{float4(INFINITY), float4(-INFINITY)};
         for (std::size_t m = first; m < last; ++m) {
-            const Box box = box_of(triangles[static_cast<std::size_t>(clusters.members[m])]);
-            cluster.low = glm::min(cluster.low, box.low - widen);
-            cluster.high = glm::max(cluster.high, box.high + widen);
+            const TriangleBox box = box_of(triangles[static_cast<std::size_t>(clusters.members[m])]);
+            cluster.low = glm::min(cluster.low, box.low - cluster_margin);
+            cluster.high = glm::max(cluster.high, box.high + cluster_margin);
         }
         const auto begin = clusters.members.begin();
         std::sort(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(last));

@@ -6,13 +6,12 @@
 #include "image/colour.h"
 #include "pencils/low_discrepancy.h"
 #include "scene/light_unit.h"
+#include "util/constants.h"
 
 namespace pencil {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-constexpr double golden_ratio = 1.61803398874989484820;
 /// Texels brighter than so many times the mean are lights, as far as they exceed it: hemispheres of few rays find the rest well.
 constexpr double bright = 4;
 

@@ -11,13 +11,11 @@
 #include "pencils/warps.h"
 #include "scene/light_chances.h"
 #include "scene/texture_lookup.h"
+#include "util/constants.h"
 
 namespace pencil {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
-constexpr double golden_ratio = 1.61803398874989484820;
 
 /// Barycentric coordinates of sample `k` of a triangle: threes of samples are one point and its two rotations among the corners. Their mean
 /// is the centre, so linear functions over the triangle are integrated exactly, and the distribution stays uniform.
@@ -194,7 +192,7 @@ LightSample point_sample(const PointLight& light, int profile_table, const FlatS
 int sky_samples(double share, int count) { return std::max(static_cast<int>(std::lround(share * count)), std::max(count / 4, 1)); }
 
 /// Boxes of shapes, and of what does not emit; low > high where there is nothing.
-struct Box {
+struct ShapeBox {
     glm::dvec3 low{HUGE_VAL}, high{-HUGE_VAL};
     void grow(const glm::dvec3& p) {
         low = glm::min(low, p);
@@ -202,15 +200,15 @@ struct Box {
     }
 };
 
-double square_distance(const Box& a, const Box& b) {
+double square_distance(const ShapeBox& a, const ShapeBox& b) {
     const glm::dvec3 gap = glm::max(glm::max(a.low - b.high, b.low - a.high), glm::dvec3(0));
     return glm::dot(gap, gap);
 }
 
 /// Square distance from the box of each emitting shape to that of all that does not emit.
 std::vector<double> square_distances(const Scene& scene) {
-    std::vector<Box> boxes(scene.shapes.size());
-    Box rest;
+    std::vector<ShapeBox> boxes(scene.shapes.size());
+    ShapeBox rest;
     for (const Triangle3& t : scene.triangles)
         for (int k = 0; k < 3; ++k) (scene.shapes[t.shape].emits ? boxes[t.shape] : rest).grow(scene.positions[t.corners[k]]);
     std::vector<double> distances;

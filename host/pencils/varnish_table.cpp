@@ -5,11 +5,12 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/packing.hpp>
 
+#include "util/constants.h"
+
 namespace pencil {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 /// Steps of the integral over microfacets, by each of two angles.
 constexpr int steps = 64;
 

@@ -6,11 +6,12 @@
 #include "scene/light_chances.h"
 #include "scene/light_unit.h"
 #include "scene/texture_lookup.h"
+#include "util/constants.h"
 
 namespace pencil {
 namespace {
 
-constexpr double pi = 3.14159265358979323846, below_one = 0x1.fffffffffffffp-1;
+constexpr double below_one = 0x1.fffffffffffffp-1;
 
 double mean(const glm::vec3& rgb) { return (static_cast<double>(rgb.x) + rgb.y + rgb.z) / 3; }
 

@@ -6,11 +6,10 @@
 #include <cmath>
 
 #include "scene/light_unit.h"
+#include "util/constants.h"
 
 namespace pencil {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 double luminance(const glm::vec3& c) { return 0.212671 * c.x + 0.715160 * c.y + 0.072169 * c.z; }
 double mean(const glm::vec3& c) { return (static_cast<double>(c.x) + c.y + c.z) / 3; }

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "util/constants.h"
+
 namespace pencil {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 /// Linear in the angle between beam and cutoff (Mitsuba's spot).
 double spot_factor(const PointLight& light, double angle) {

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "util/constants.h"
+
 namespace pencil {
 namespace {
 
-constexpr double pi = 3.14159265358979323846, root_pi = 1.77245385090551602730;
+constexpr double root_pi = 1.77245385090551602730;
 
 /// Inverse of erf on (-1, 1): Giles's first guess (2010), then Newton's iteration.
 double inverse_erf(double y) {

@@ -6,12 +6,11 @@
 #include <cstddef>
 
 #include "image/colour.h"
+#include "util/constants.h"
 
 namespace pencil {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 /// `factor` times the luminance of rgb. What float cannot hold becomes its largest number, with a warning.
 Layer photometric_layer(const std::string& name, const std::vector<float>& rgb, double factor, std::vector<std::string>& warnings) {

@@ -7,6 +7,8 @@
 #include <glm/trigonometric.hpp>
 #include <limits>
 
+#include "util/constants.h"
+
 namespace pencil {
 namespace {
 
@@ -55,7 +57,6 @@ bool has_light(const Scene& scene) {
 }
 
 Environment default_sky() {
-    constexpr double pi = 3.14159265358979323846;
     const glm::vec3 zenith(0.55F, 0.75F, 1.1F), horizon(1.1F, 1.1F, 1.1F), ground(0.45F, 0.42F, 0.4F);
     Environment sky;
     sky.width = 32;

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "util/constants.h"
+
 namespace pencil {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 double sinc(double x) { return x == 0 ? 1.0 : std::sin(pi * x) / (pi * x); }
 

@@ -8,6 +8,7 @@
 #include "stress/stress_cases.h"
 #include "stress/stress_render.h"
 #include "stress/stress_scenes.h"
+#include "util/constants.h"
 
 namespace pencil {
 
@@ -15,12 +16,10 @@ namespace {
 
 using Measurements = std::vector<Measurement>;
 
-constexpr double pi = 3.14159265358979323846;
-
-constexpr float half = 0.5F;
+constexpr float grey = 0.5F;
 
 /// Measurements that some rows excuse.
-constexpr const char *of_paths = "mean over the path tracer's", *of_truth = "mean over truth", *mean = "mean";
+constexpr const char *of_paths = "mean over the path tracer's", *of_truth = "mean over truth", *of_image = "mean";
 
 /// What a furnace of albedo 0.5 shows everywhere.
 Measurements even_two(const StressRun& run, const Scene& scene, RenderOptions options) {
@@ -39,7 +38,7 @@ Measurements dust(const StressRun& run, std::size_t count, double size) {
 Measurements twelve_decades(const StressRun& run) {
     const Scene scene = decades_scene();
     const RenderResult result = render(scene, stress_options(MethodName::surface), run);
-    return {below("largest error", error_of(result.layers, half), 1e-3)};
+    return {below("largest error", error_of(result.layers, grey), 1e-3)};
 }
 
 /// A point light so near a floor that half of its light falls on a spot, seen by what the spot sends to a small ceiling 1 above it. There,
@@ -50,18 +49,18 @@ Measurements near_a_wall(const StressRun& run, double d) {
     constexpr int steps = 200000;
     for (int k = 0; k < steps; ++k) {  // even steps of the share of the light within r
         const double share = (k + 0.5) / steps, r2 = d * d * (1 / (share * share) - 1);
-        floor += half / pi * 2 * pi / ((1 + r2) * (1 + r2)) / steps;
+        floor += grey / pi * 2 * pi / ((1 + r2) * (1 + r2)) / steps;
     }
     RenderOptions options = stress_options(MethodName::surface);
     options.bounces = 2;
-    const double truth = half / pi * (1 / ((1 - d) * (1 - d)) + floor);
+    const double truth = grey / pi * (1 / ((1 - d) * (1 - d)) + floor);
     return {near(of_truth, mean_of(render(scene, options, run).layers) / truth, 1, 0.01)};
 }
 
 /// The floor from so low that it is seen as a line: half of the film is floor, half is sky.
 Measurements grazing(const StressRun& run, double height) {
     Scene scene;
-    add_floor(scene, 1000, {glm::vec3(half)});
+    add_floor(scene, 1000, {glm::vec3(grey)});
     scene.environment = Environment{};
     look(scene, {0, height, 0}, {1, height, 0.1}, 60, 16, 16);
     return {near(of_truth, mean_of(render(scene, stress_options(MethodName::surface), run).layers) / 0.75, 1, 1e-3)};
@@ -109,12 +108,12 @@ Measurements dark_maze(const StressRun& run, MethodName method) {
 
 /// Film and eye in a closed box, light of about 1 around it.
 Measurements dark_inside(const StressRun& run, MethodName method, const Scene& scene) {
-    return {below(mean, mean_of(render(scene, stress_options(method), run).layers), 1e-4)};
+    return {below(of_image, mean_of(render(scene, stress_options(method), run).layers), 1e-4)};
 }
 
 Measurements light_on_the_floor(const StressRun& run, double height) {
     Scene scene;
-    add_floor(scene, 1, {glm::vec3(half)});
+    add_floor(scene, 1, {glm::vec3(grey)});
     scene.point_lights.push_back({{0.1, height, 0.1}, glm::vec3(1.0F)});
     look(scene, {0, 1, 0.3}, {0, 0, 0}, 60, 16, 12);
     return {below("values that are not finite", non_finite_of(render(scene, stress_options(MethodName::surface), run).layers), 0)};
@@ -176,7 +175,7 @@ std::vector<StressCase> geometry_cases() {
             [](const StressRun& d) { return dark_inside(d, MethodName::surface, eye_in_a_sphere()); }),
         row(
             "eye-in-a-sphere-line", "the same, line method",
-            [](const StressRun& d) { return dark_inside(d, MethodName::line, eye_in_a_sphere()); }, coarse_maps, mean),
+            [](const StressRun& d) { return dark_inside(d, MethodName::line, eye_in_a_sphere()); }, coarse_maps, of_image),
     };
 }
 

@@ -4,12 +4,12 @@
 #include <tuple>
 
 #include "stress/stress_scenes.h"
+#include "util/constants.h"
 
 namespace pencil {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr float half = 0.5F;
 const Paint white_both{glm::vec3(1.0F), glm::vec3(0.0F), true};
 

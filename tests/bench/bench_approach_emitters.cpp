@@ -12,7 +12,7 @@ std::vector<float> distances(const std::vector<SurfacePencil>& pencils) {
     return out;
 }
 
-void approach(benchmark::State& state) {
+void bench_approach_emitters(benchmark::State& state) {
     WorldBench& bench = world_bench();
     std::vector<SurfacePencil> measured = bench.pencils;
     SurfacePencils pencils(device(), static_cast<int>(measured.size()), bench.world.pencils().n);  // the set's own stay as they are
@@ -26,7 +26,7 @@ void approach(benchmark::State& state) {
         [&] { native::approach_emitters(workbench().view(), bench.surfels(), pencils.count, pencils.n, near.data(), measured.data()); },
         [&] { return differences(distances(pencils.data.read(0, measured.size())), distances(measured), 1e-3, 1e-3); });
 }
-BENCHMARK(approach)->Name("approach_emitters")->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(bench_approach_emitters)->Name("approach_emitters")->UseManualTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace pencil::bench

@@ -5,7 +5,7 @@
 namespace pencil::bench {
 namespace {
 
-void close(benchmark::State& state) {
+void bench_close_series(benchmark::State& state) {
     WorldBench& bench = world_bench();
     const int count = bench.world.surfels().count;
     const std::vector<float4> last(static_cast<std::size_t>(count), float4(3, 2, 1, 0));
@@ -19,7 +19,7 @@ void close(benchmark::State& state) {
         [&] { native::close_series(last.data(), float4(tail, 0), count, native_total.data()); },
         [&] { return differences(floats(total.read()), floats(native_total), 1e-6, 0); });
 }
-BENCHMARK(close)->Name("close_series")->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(bench_close_series)->Name("close_series")->UseManualTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace pencil::bench

@@ -5,7 +5,7 @@
 namespace pencil::bench {
 namespace {
 
-void cover(benchmark::State& state) {
+void bench_cover_film(benchmark::State& state) {
     LatticeBench& bench = lattice_bench();
     const int count = bench.host_surfels.count;
     constexpr float most_error = 0.26F;
@@ -21,7 +21,7 @@ void cover(benchmark::State& state) {
                                1e-3);
         });
 }
-BENCHMARK(cover)->Name("cover_film")->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(bench_cover_film)->Name("cover_film")->UseManualTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace pencil::bench

@@ -6,7 +6,7 @@
 namespace pencil::bench {
 namespace {
 
-void emit(benchmark::State& state) {
+void bench_emit_hemispheres(benchmark::State& state) {
     WorldBench& bench = world_bench();
     const Surfels& surfels = bench.world.surfels();
     const std::vector<float> near = near_areas(workbench().flat, bench.lights.samples.read());
@@ -25,7 +25,7 @@ void emit(benchmark::State& state) {
                                used_rgb(native_radiance, surfels.capacity, surfels.count), 1e-3, 0);
         });
 }
-BENCHMARK(emit)->Name("emit_hemispheres")->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(bench_emit_hemispheres)->Name("emit_hemispheres")->UseManualTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace pencil::bench

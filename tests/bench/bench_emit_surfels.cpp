@@ -5,7 +5,7 @@
 namespace pencil::bench {
 namespace {
 
-void emit(benchmark::State& state) {
+void bench_emit_surfels(benchmark::State& state) {
     Workbench& bench = workbench();
     const Surfels& surfels = bench.texel_surfels;
     const HostSurfels host(surfels);
@@ -19,7 +19,7 @@ void emit(benchmark::State& state) {
         },
         [&] { return differences(radiance.read(), native_radiance, 1e-6, 0); });
 }
-BENCHMARK(emit)->Name("emit_surfels")->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(bench_emit_surfels)->Name("emit_surfels")->UseManualTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace pencil::bench

@@ -7,7 +7,7 @@
 namespace pencil::bench {
 namespace {
 
-void density(benchmark::State& state) {
+void bench_estimate_density(benchmark::State& state) {
     Workbench& bench = workbench();
     GeometryMaps& maps = *bench.set.maps;
     const int tiles = std::min(sizes().tiles, maps.count), n = maps.n;
@@ -33,7 +33,7 @@ void density(benchmark::State& state) {
             return differences(got, expected, 1e-3, 0);
         });
 }
-BENCHMARK(density)->Name("estimate_density")->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(bench_estimate_density)->Name("estimate_density")->UseManualTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace pencil::bench

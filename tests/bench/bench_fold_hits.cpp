@@ -6,7 +6,7 @@
 namespace pencil::bench {
 namespace {
 
-void fold(benchmark::State& state) {
+void bench_fold_hits(benchmark::State& state) {
     Workbench& bench = workbench();
     GeometryMaps maps(device(), bench.set.maps->cops.read(), bench.set.maps->n, "bench");
     HostMaps native_maps(*bench.set.maps, bench.view());
@@ -29,7 +29,7 @@ void fold(benchmark::State& state) {
             return differences(got, expected, 0);
         });
 }
-BENCHMARK(fold)->Name("fold_hits")->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(bench_fold_hits)->Name("fold_hits")->UseManualTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace pencil::bench

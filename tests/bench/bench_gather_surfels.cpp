@@ -5,7 +5,7 @@
 namespace pencil::bench {
 namespace {
 
-void gather(benchmark::State& state) {
+void bench_gather_surfels(benchmark::State& state) {
     Workbench& bench = workbench();
     const HostMaps maps(*bench.next_maps, bench.view());
     Surfels& surfels = bench.texel_surfels;
@@ -26,7 +26,7 @@ void gather(benchmark::State& state) {
             return differences(used(surfels.data.read()), used(native_surfels), 1e-5, 0);
         });
 }
-BENCHMARK(gather)->Name("gather_surfels")->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(bench_gather_surfels)->Name("gather_surfels")->UseManualTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace pencil::bench

@@ -5,7 +5,7 @@
 namespace pencil::bench {
 namespace {
 
-void direct_light(benchmark::State& state) {
+void bench_light_surfels(benchmark::State& state) {
     Workbench& bench = workbench();
     const Surfels& surfels = bench.film.surfels();
     const HostMaps maps(bench.lights.maps, bench.view());
@@ -25,7 +25,7 @@ void direct_light(benchmark::State& state) {
                                1e-3, 1e-3);
         });
 }
-BENCHMARK(direct_light)->Name("light_surfels")->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(bench_light_surfels)->Name("light_surfels")->UseManualTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace pencil::bench

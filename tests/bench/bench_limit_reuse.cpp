@@ -5,7 +5,7 @@
 namespace pencil::bench {
 namespace {
 
-void limit(benchmark::State& state) {
+void bench_limit_reuse(benchmark::State& state) {
     LatticeBench& bench = lattice_bench();
     const native::LatticeView view = bench.view();
     const double pixels = static_cast<double>(view.width) * view.height;
@@ -20,7 +20,7 @@ void limit(benchmark::State& state) {
             return differences(got, reaches, 1e-3, 1e-3);
         });
 }
-BENCHMARK(limit)->Name("limit_reuse")->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(bench_limit_reuse)->Name("limit_reuse")->UseManualTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace pencil::bench

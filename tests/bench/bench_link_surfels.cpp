@@ -5,7 +5,7 @@
 namespace pencil::bench {
 namespace {
 
-void link(benchmark::State& state) {
+void bench_link_surfels(benchmark::State& state) {
     WorldBench& bench = world_bench();
     const Surfels& surfels = bench.world.surfels();
     SurfaceLinks links;
@@ -31,7 +31,7 @@ void link(benchmark::State& state) {
             return wrong.empty() ? differences(got, expected, 1e-3) : wrong;
         });
 }
-BENCHMARK(link)->Name("link_surfels")->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(bench_link_surfels)->Name("link_surfels")->UseManualTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace pencil::bench

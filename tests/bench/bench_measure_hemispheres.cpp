@@ -5,7 +5,7 @@
 namespace pencil::bench {
 namespace {
 
-void measure(benchmark::State& state) {
+void bench_measure_hemispheres(benchmark::State& state) {
     WorldBench& bench = world_bench();
     std::vector<SurfacePencil> measured = bench.pencils;
     SurfacePencils pencils(device(), static_cast<int>(measured.size()), bench.world.pencils().n);  // the set's own stay as they are
@@ -29,7 +29,7 @@ void measure(benchmark::State& state) {
             return differences(list(pencils.data.read(0, measured.size())), list(measured), 1e-3, 1e-3);
         });
 }
-BENCHMARK(measure)->Name("measure_hemispheres")->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(bench_measure_hemispheres)->Name("measure_hemispheres")->UseManualTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace pencil::bench

@@ -12,7 +12,7 @@ std::vector<float> components(const std::vector<float4>& texels) {
     return out;
 }
 
-void lookup(benchmark::State& state) {
+void bench_octahedral_lookup(benchmark::State& state) {
     Workbench& bench = workbench();
     const Surfels& surfels = bench.texel_surfels;
     const HostMaps maps(*bench.set.maps, bench.view());
@@ -42,7 +42,7 @@ void lookup(benchmark::State& state) {
         },
         [&] { return differences(components(sum.read()), components(native_sum), 1e-3, 0); });
 }
-BENCHMARK(lookup)->Name("octahedral_lookup")->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(bench_octahedral_lookup)->Name("octahedral_lookup")->UseManualTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace pencil::bench

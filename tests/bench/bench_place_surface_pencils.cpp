@@ -5,7 +5,7 @@
 namespace pencil::bench {
 namespace {
 
-void place(benchmark::State& state) {
+void bench_place_surface_pencils(benchmark::State& state) {
     Workbench& bench = workbench();
     const HostSurfels host(bench.texel_surfels);
     ChosenSurfels chosen;
@@ -39,7 +39,7 @@ void place(benchmark::State& state) {
             return differences(got, expected, 1e-5, 0);
         });
 }
-BENCHMARK(place)->Name("place_surface_pencils")->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(bench_place_surface_pencils)->Name("place_surface_pencils")->UseManualTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace pencil::bench

@@ -5,7 +5,7 @@
 namespace pencil::bench {
 namespace {
 
-void project(benchmark::State& state) {
+void bench_project_contacts(benchmark::State& state) {
     WorldBench& bench = world_bench();
     const Surfels& surfels = bench.world.surfels();
     Contacts contacts;
@@ -32,7 +32,7 @@ void project(benchmark::State& state) {
                                used_rgb(native_outgoing, surfels.capacity, surfels.count), 1e-3, 1e-3);
         });
 }
-BENCHMARK(project)->Name("project_contacts")->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(bench_project_contacts)->Name("project_contacts")->UseManualTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace pencil::bench

@@ -5,7 +5,7 @@
 namespace pencil::bench {
 namespace {
 
-void project(benchmark::State& state) {
+void bench_project_film_pencils(benchmark::State& state) {
     LatticeBench& bench = lattice_bench();
     const int count = bench.host_surfels.count, capacity = bench.host_surfels.capacity;
     constexpr float most_error = 0.52F;
@@ -29,7 +29,7 @@ void project(benchmark::State& state) {
         },
         [&] { return differences(used_rgb(outgoing.read(), capacity, count), used_rgb(native_outgoing, capacity, count), 1e-3, 1e-3); });
 }
-BENCHMARK(project)->Name("project_film_pencils")->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(bench_project_film_pencils)->Name("project_film_pencils")->UseManualTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace pencil::bench

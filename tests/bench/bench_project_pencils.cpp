@@ -37,11 +37,14 @@ void project(benchmark::State& state, const Surfels& surfels, const std::string&
         });
 }
 
-void transport(benchmark::State& state) { project(state, workbench().texel_surfels, "pencil transport"); }
-void scatter(benchmark::State& state) { project(state, workbench().film.surfels(), "projection-scatter"); }
+void bench_project_pencils_transport(benchmark::State& state) { project(state, workbench().texel_surfels, "pencil transport"); }
+void bench_project_pencils_projection_scatter(benchmark::State& state) { project(state, workbench().film.surfels(), "projection-scatter"); }
 
-BENCHMARK(transport)->Name("project_pencils/transport")->UseManualTime()->Unit(benchmark::kMillisecond);
-BENCHMARK(scatter)->Name("project_pencils/projection-scatter")->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(bench_project_pencils_transport)->Name("project_pencils/transport")->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(bench_project_pencils_projection_scatter)
+    ->Name("project_pencils/projection-scatter")
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace pencil::bench

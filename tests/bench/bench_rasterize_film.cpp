@@ -7,13 +7,6 @@
 namespace pencil::bench {
 namespace {
 
-std::vector<int> triangles_of(const std::vector<Hit>& hits) {
-    std::vector<int> out;
-    out.reserve(hits.size());
-    for (const Hit& hit : hits) out.push_back(hit.triangle);
-    return out;
-}
-
 /// Either way to find the samples against native rasterisation.
 template <typename Look>
 void see(benchmark::State& state, Look look) {
@@ -27,22 +20,22 @@ void see(benchmark::State& state, Look look) {
         [&] { return differences(triangles_of(film.hits.read()), triangles_of(film.native_hits), 1e-4); });
 }
 
-void rasterize(benchmark::State& state) {
+void bench_rasterize_film(benchmark::State& state) {
     see(
         state,
         [](const auto& camera, const auto& offsets, int samples, int rows, auto& hits) {
             rasterize_film(workbench().kernels, workbench().on_device, camera, offsets, samples, 0, rows, hits, "bench film");
         });
 }
-void trace(benchmark::State& state) {
+void bench_trace_film(benchmark::State& state) {
     see(
         state,
         [](const auto& camera, const auto& offsets, int samples, int rows, auto& hits) {
             trace_film(world_bench().kernels, world_bench().scene, camera, offsets, samples, 0, rows, hits, "bench film");
         });
 }
-BENCHMARK(rasterize)->Name("rasterize_film")->UseManualTime()->Unit(benchmark::kMillisecond);
-BENCHMARK(trace)->Name("trace_film")->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(bench_rasterize_film)->Name("rasterize_film")->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(bench_trace_film)->Name("trace_film")->UseManualTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace pencil::bench

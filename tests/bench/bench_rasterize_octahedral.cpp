@@ -5,13 +5,6 @@
 namespace pencil::bench {
 namespace {
 
-std::vector<int> triangles_of(const std::vector<Hit>& hits) {
-    std::vector<int> out;
-    out.reserve(hits.size());
-    for (const Hit& hit : hits) out.push_back(hit.triangle);
-    return out;
-}
-
 void rasterize(benchmark::State& state, const std::string& what, const GeometryMaps& centres) {
     Workbench& bench = workbench();
     GeometryMaps maps(device(), centres.cops.read(), centres.n, "bench");
@@ -26,11 +19,11 @@ void rasterize(benchmark::State& state, const std::string& what, const GeometryM
         [&] { return differences(triangles_of(maps.hits.read()), triangles_of(native_maps.hits), 1e-4); });
 }
 
-void pencil_maps(benchmark::State& state) { rasterize(state, "rasterize octahedral maps", *workbench().set.maps); }
-void light_maps(benchmark::State& state) { rasterize(state, "rasterize octahedral maps", workbench().lights.maps); }
+void bench_rasterize_octahedral_pencils(benchmark::State& state) { rasterize(state, "rasterize octahedral maps", *workbench().set.maps); }
+void bench_rasterize_octahedral_lights(benchmark::State& state) { rasterize(state, "rasterize octahedral maps", workbench().lights.maps); }
 
-BENCHMARK(pencil_maps)->Name("rasterize_octahedral/pencils")->UseManualTime()->Unit(benchmark::kMillisecond);
-BENCHMARK(light_maps)->Name("rasterize_octahedral/lights")->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(bench_rasterize_octahedral_pencils)->Name("rasterize_octahedral/pencils")->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(bench_rasterize_octahedral_lights)->Name("rasterize_octahedral/lights")->UseManualTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace pencil::bench

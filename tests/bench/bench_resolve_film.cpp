@@ -33,7 +33,7 @@ struct Pixels {
     }
 };
 
-void resolve(benchmark::State& state) {
+void bench_resolve_film(benchmark::State& state) {
     Workbench& bench = workbench();
     FilmBench film;
     film.rasterize_native();
@@ -76,7 +76,7 @@ void resolve(benchmark::State& state) {
         [&] { native::resolve_film(view, values.data(), static_cast<std::size_t>(capacity), native_image.data()); },
         [&] { return differences(image.read(), native_image, 1e-4, 0); });
 }
-BENCHMARK(resolve)->Name("resolve_film")->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(bench_resolve_film)->Name("resolve_film")->UseManualTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace pencil::bench

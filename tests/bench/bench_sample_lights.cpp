@@ -5,7 +5,7 @@
 namespace pencil::bench {
 namespace {
 
-void sample(benchmark::State& state) {
+void bench_sample_lights(benchmark::State& state) {
     WorldBench& bench = world_bench();
     const Surfels& surfels = bench.world.surfels();
     const std::vector<LightSample> samples = bench.lights.samples.read();
@@ -27,7 +27,7 @@ void sample(benchmark::State& state) {
                                used_rgb(native_outgoing, surfels.capacity, surfels.count), 1e-3, 1e-2);
         });
 }
-BENCHMARK(sample)->Name("sample_lights")->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(bench_sample_lights)->Name("sample_lights")->UseManualTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace pencil::bench

@@ -5,7 +5,7 @@
 namespace pencil::bench {
 namespace {
 
-void smooth(benchmark::State& state) {
+void bench_smooth_irradiance(benchmark::State& state) {
     LatticeBench& bench = lattice_bench();
     const FilmSurfels film = bench.shown();
     constexpr float most_error = 0.325F;
@@ -19,7 +19,7 @@ void smooth(benchmark::State& state) {
         [&] { native::smooth_irradiance(bench.view(), bench.irradiance.data(), most_error, native_fits.data()); },
         [&] { return differences(floats(fits.read()), floats(native_fits), 1e-2, 1e-2); });
 }
-BENCHMARK(smooth)->Name("smooth_irradiance")->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(bench_smooth_irradiance)->Name("smooth_irradiance")->UseManualTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace pencil::bench

@@ -11,7 +11,7 @@ std::vector<float> components(const std::vector<float4>& texels) {
     return out;
 }
 
-void store(benchmark::State& state) {
+void bench_store_radiance(benchmark::State& state) {
     Workbench& bench = workbench();
     PencilSet set(device(), bench.next_maps);
     const int tiles = sizes().tiles, n = bench.next_maps->n;
@@ -32,7 +32,7 @@ void store(benchmark::State& state) {
         [&] { native::store_radiance(values.data(), static_cast<std::size_t>(surfels.capacity), tiles, n, native_radiance.data()); },
         [&] { return differences(components(set.radiance.read()), components(native_radiance), 1e-5, 0); });
 }
-BENCHMARK(store)->Name("store_radiance")->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(bench_store_radiance)->Name("store_radiance")->UseManualTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace pencil::bench

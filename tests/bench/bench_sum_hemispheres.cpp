@@ -5,7 +5,7 @@
 namespace pencil::bench {
 namespace {
 
-void sum(benchmark::State& state) {
+void bench_sum_hemispheres(benchmark::State& state) {
     WorldBench& bench = world_bench();
     const SurfacePencils& pencils = bench.world.pencils();
     const int capacity = bench.world.surfels().capacity;
@@ -22,7 +22,7 @@ void sum(benchmark::State& state) {
         },
         [&] { return differences(floats(irradiance.read()), floats(sums), 1e-5, 0); });
 }
-BENCHMARK(sum)->Name("sum_hemispheres")->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(bench_sum_hemispheres)->Name("sum_hemispheres")->UseManualTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace pencil::bench

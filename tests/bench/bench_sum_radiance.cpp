@@ -5,7 +5,7 @@
 namespace pencil::bench {
 namespace {
 
-void sum(benchmark::State& state) {
+void bench_sum_radiance(benchmark::State& state) {
     Workbench& bench = workbench();
     const std::vector<float4> radiance = bench.set.radiance.read();
     const int count = bench.set.maps->count, n = bench.set.maps->n;
@@ -22,7 +22,7 @@ void sum(benchmark::State& state) {
             return differences(floats(got), floats(mean), 1e-5, 0);
         });
 }
-BENCHMARK(sum)->Name("sum_radiance")->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(bench_sum_radiance)->Name("sum_radiance")->UseManualTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace pencil::bench

@@ -5,7 +5,7 @@
 namespace pencil::bench {
 namespace {
 
-void visibility(benchmark::State& state) {
+void bench_test_visibility(benchmark::State& state) {
     Workbench& bench = workbench();
     const Surfels& surfels = bench.texel_surfels;
     const HostMaps maps(*bench.set.maps, bench.view());
@@ -24,7 +24,7 @@ void visibility(benchmark::State& state) {
             return differences(std::vector<int>(got.begin(), got.end()), std::vector<int>(native_mask.begin(), native_mask.end()), 1e-3);
         });
 }
-BENCHMARK(visibility)->Name("test_visibility")->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(bench_test_visibility)->Name("test_visibility")->UseManualTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace pencil::bench

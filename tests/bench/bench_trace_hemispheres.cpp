@@ -6,7 +6,7 @@
 namespace pencil::bench {
 namespace {
 
-void trace(benchmark::State& state) {
+void bench_trace_hemispheres(benchmark::State& state) {
     WorldBench& bench = world_bench();
     const SurfacePencils& pencils = bench.world.pencils();
     const TexelPoints points{5, 3};
@@ -26,7 +26,7 @@ void trace(benchmark::State& state) {
             return differences(used(surfels.data.read()), used(seen), 1e-4, 1e-3);
         });
 }
-BENCHMARK(trace)->Name("trace_hemispheres")->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(bench_trace_hemispheres)->Name("trace_hemispheres")->UseManualTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace pencil::bench

@@ -5,7 +5,7 @@
 namespace pencil::bench {
 namespace {
 
-void transport(benchmark::State& state) {
+void bench_transport_irradiance(benchmark::State& state) {
     WorldBench& bench = world_bench();
     const int count = bench.world.pencils().count, n = bench.world.pencils().n;
     const std::vector<glm::ivec4> pencils = bench.world.links().pencils.read();
@@ -26,7 +26,7 @@ void transport(benchmark::State& state) {
             return wrong.empty() ? differences(floats(total.read()), floats(native_total), 1e-4, 0) : wrong;
         });
 }
-BENCHMARK(transport)->Name("transport_irradiance")->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(bench_transport_irradiance)->Name("transport_irradiance")->UseManualTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace pencil::bench

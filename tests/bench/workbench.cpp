@@ -73,6 +73,13 @@ std::vector<float> used_rgb(const std::vector<float>& rgb, int capacity, int cou
     return out;
 }
 
+std::vector<int> triangles_of(const std::vector<Hit>& hits) {
+    std::vector<int> out;
+    out.reserve(hits.size());
+    for (const Hit& hit : hits) out.push_back(hit.triangle);
+    return out;
+}
+
 std::string product(long long a, const std::string& of_a, long long b, const std::string& of_b) {
     return std::to_string(a) + " " + of_a + " x " + std::to_string(b) + " " + of_b;
 }

@@ -58,6 +58,9 @@ struct HostSurfels {
 /// Rgb per surfel of a buffer, without what lies beyond the count.
 std::vector<float> used_rgb(const std::vector<float>& rgb, int capacity, int count);
 
+/// The triangle of each hit.
+std::vector<int> triangles_of(const std::vector<Hit>& hits);
+
 /// Words such as "262144 surfels x 128 pencils".
 std::string product(long long a, const std::string& of_a, long long b, const std::string& of_b);
 

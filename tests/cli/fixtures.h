@@ -27,6 +27,7 @@ private:
 };
 
 std::string read_text(const std::filesystem::path& file);
+std::vector<std::string> lines_of(const std::string& text);
 
 /// A floor under a small lamp: the least scene with direct and indirect light. `lamp` and `floor` can be left out.
 std::string small_scene(bool lamp = true, bool floor = true);

@@ -14,13 +14,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-std::vector<std::string> lines_of(const std::string& text) {
-    std::vector<std::string> lines;
-    std::istringstream stream(text);
-    for (std::string line; std::getline(stream, line);) lines.push_back(line);
-    return lines;
-}
-
 class Converge : public testing::Test {
 protected:
     std::vector<std::string> arguments(const std::vector<std::string>& more = {}) const {

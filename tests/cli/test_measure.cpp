@@ -9,13 +9,6 @@
 namespace pencil_test {
 namespace {
 
-std::vector<std::string> lines_of(const std::string& text) {
-    std::vector<std::string> lines;
-    std::istringstream stream(text);
-    for (std::string line; std::getline(stream, line);) lines.push_back(line);
-    return lines;
-}
-
 /// Columns of a line without quotes.
 std::vector<std::string> columns_of(const std::string& line) {
     std::vector<std::string> columns;

@@ -10,13 +10,13 @@ using namespace pencil::test;
 
 constexpr float most_error = 0.6F;
 
-constexpr unsigned char untouched = 7;
+constexpr unsigned char never_written = 7;
 
 /// By surfel, up to the capacity.
 std::vector<unsigned char> uncovered(const MadeFilm& film, float error = most_error) {
     Kernels kernels = make_kernels();
     const DeviceFilm on_film(film);
-    Buffer<unsigned char> bytes(device(), std::vector<unsigned char>(static_cast<std::size_t>(film.surfels.capacity), untouched),
+    Buffer<unsigned char> bytes(device(), std::vector<unsigned char>(static_cast<std::size_t>(film.surfels.capacity), never_written),
                                 "uncovered");
     cover_film(kernels, on_film.shown, on_film.lattice, error, bytes);
     return bytes.read();
@@ -38,7 +38,7 @@ TEST(CoverFilm, IsTheReferences) {
                     << "surfel " << i << " of pixel " << pixel << ", least error " << expected.least << ", " << name(c);
             }
         for (int i = film.surfels.count; i < film.surfels.capacity; ++i)
-            ASSERT_EQ(got[static_cast<std::size_t>(i)], untouched) << "beyond the count";
+            ASSERT_EQ(got[static_cast<std::size_t>(i)], never_written) << "beyond the count";
     }
     EXPECT_GT(compared, 5000);
     EXPECT_GT(covered, 1000);

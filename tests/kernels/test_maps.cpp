@@ -9,7 +9,7 @@ namespace {
 using namespace pencil;
 using namespace pencil::test;
 
-const char* const test_kernels = R"CL(
+const char* const map_kernels = R"CL(
 #define MAP_JOIN2(a, b) a##b
 #define MAP_JOIN(a, b) MAP_JOIN2(a, b)
 #define MAP(name) MAP_JOIN(PENCIL_MAP, name)
@@ -39,7 +39,7 @@ class Maps : public testing::TestWithParam<ref::NamedMap> {
 protected:
     Launch kernel(const char* name) {
         const ref::NamedMap& named = GetParam();
-        const std::string source = resolve_includes("#include \"lib/" + named.prefix + ".cl\"\n" + test_kernels, "test_maps");
+        const std::string source = resolve_includes("#include \"lib/" + named.prefix + ".cl\"\n" + map_kernels, "test_maps");
         std::string options = "-cl-std=CL1.2 -DPENCIL_WIDTH=" + std::to_string(device()->packet_width()) + " -DPENCIL_MAP=" + named.prefix;
         if (!named.exponent.empty())
             options += " -DPENCIL_SUPERQUADRIC_EXPONENT=" + named.exponent + " -DPENCIL_SUPERQUADRIC_CONE=" + (named.cone ? "1" : "0");

@@ -8,7 +8,7 @@ namespace {
 using namespace pencil;
 using namespace pencil::test;
 
-const char* const test_kernels = R"CL(
+const char* const octahedral_kernels = R"CL(
 #include "lib/footprint.cl"
 #include "lib/octahedral.cl"
 #include "lib/packet.cl"
@@ -35,7 +35,7 @@ struct Int2 {
 };
 
 Launch test_kernel(const char* name) {
-    cl::Program program(device()->context(), resolve_includes(test_kernels, "test_octahedral"));
+    cl::Program program(device()->context(), resolve_includes(octahedral_kernels, "test_octahedral"));
     const std::string options = "-cl-std=CL1.2 -DPENCIL_WIDTH=" + std::to_string(device()->packet_width());
     program.build({device()->cl_device()}, options.c_str());
     return Launch(device(), cl::Kernel(program, name), name);

@@ -9,7 +9,7 @@ namespace {
 using namespace pencil;
 using namespace pencil::test;
 
-const char* const test_kernels = R"CL(
+const char* const packet_kernels = R"CL(
 #include "lib/packet.cl"
 kernel void roots(global const float *in, int packets, global float *out) {
     int i = get_global_id(0) * PENCIL_WIDTH;
@@ -28,7 +28,7 @@ TEST_P(Packet, ReciprocalRootIsGoodToFourUnitsInTheLastPlace) {
         for (int i = 0; i < mantissas; ++i) values.push_back(static_cast<float>(std::ldexp(1.0 + random.uniform(), exponent)));
     const Buffer<float> in(device(), values, "values");
     Buffer<float> out(device(), values.size(), "roots");
-    cl::Program program(device()->context(), resolve_includes(test_kernels, "test_packet"));
+    cl::Program program(device()->context(), resolve_includes(packet_kernels, "test_packet"));
     const std::string options = "-cl-std=CL1.2 -DPENCIL_WIDTH=" + std::to_string(width);
     program.build({device()->cl_device()}, options.c_str());
     const int packets = static_cast<int>(values.size()) / width;

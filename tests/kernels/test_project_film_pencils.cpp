@@ -10,7 +10,7 @@ using namespace pencil;
 using namespace pencil::test;
 
 constexpr float most_error = 0.8F;
-constexpr float start = 0.5F;  // what the surfels send before
+constexpr float sent_before = 0.5F;  // what the surfels send before
 
 struct Lighting {
     std::vector<float4> fits;     // three per pencil
@@ -38,7 +38,7 @@ std::vector<float> project(const MadeFilm& film, const Lighting& light) {
     SurfacePencils singles = on_device(random_pencils(1, static_cast<int>(light.singles.size())));
     singles.irradiance.write(light.singles);
     const Buffer<int> single_at(device(), light.single_of, "singles");
-    Buffer<float> outgoing = filled_rgb(film.surfels.capacity, start);
+    Buffer<float> outgoing = filled_rgb(film.surfels.capacity, sent_before);
     project_film_pencils(kernels, on_film.shown, on_film.lattice, Buffer<float4>(device(), light.fits, "fits"), most_error,
                          {singles, single_at}, outgoing);
     return outgoing.read();
@@ -71,12 +71,12 @@ TEST(ProjectFilmPencils, IsTheReferences) {
                 if (single >= 0) expected = {xyz(light.singles[static_cast<std::size_t>(single)]), 1.0};
                 if (expected.margin < tolerance::decision) continue;
                 ++compared;
-                expect_close(rgb_at(got, capacity, i), dvec3(start) + ref::scattered_radiance(film.surfels.albedo(i), expected.irradiance),
-                             tolerance::interpolation,
-                             "surfel " + std::to_string(i) + " of pixel " + std::to_string(pixel) + ", " + name(c));
+                expect_close(
+                    rgb_at(got, capacity, i), dvec3(sent_before) + ref::scattered_radiance(film.surfels.albedo(i), expected.irradiance),
+                    tolerance::interpolation, "surfel " + std::to_string(i) + " of pixel " + std::to_string(pixel) + ", " + name(c));
             }
         for (int i = film.surfels.count; i < film.surfels.capacity; ++i)
-            EXPECT_EQ(rgb_at(got, capacity, i), dvec3(start)) << "beyond the count";
+            EXPECT_EQ(rgb_at(got, capacity, i), dvec3(sent_before)) << "beyond the count";
     }
     EXPECT_GT(compared, 5000);
 }
@@ -86,14 +86,14 @@ TEST(ProjectFilmPencils, ConstantIrradianceStaysConstant) {
     const std::vector<float> got = project(film, lighting(film, true, dvec3(2, 3, 4)));
     for (int i = 0; i < film.surfels.count; ++i)
         expect_close(rgb_at(got, static_cast<std::size_t>(film.surfels.capacity), i),
-                     dvec3(start) + film.surfels.albedo(i) * dvec3(2, 3, 4) / ref::pi, tolerance::accumulation,
+                     dvec3(sent_before) + film.surfels.albedo(i) * dvec3(2, 3, 4) / ref::pi, tolerance::accumulation,
                      "surfel " + std::to_string(i));
 }
 
 TEST(ProjectFilmPencils, WithoutPencilsNothingIsAdded) {
     MadeFilm film(7, 5, 4, 1, 63);
     std::fill(film.at.begin(), film.at.end(), -1);
-    for (const float value : project(film, lighting(film, false))) EXPECT_EQ(value, start);
+    for (const float value : project(film, lighting(film, false))) EXPECT_EQ(value, sent_before);
 }
 
 TEST(ProjectFilmPencils, PermutingPencilsChangesNothing) {

@@ -10,21 +10,21 @@ namespace {
 using namespace pencil;
 using namespace pencil::test;
 
-constexpr float start = 0.5F;  // what the surfels send before
+constexpr float start_light = 0.5F;  // what the surfels send before
 
-struct Projected {
+struct ProjectedPencils {
     std::vector<float> outgoing;
     std::vector<unsigned char> contact;
 };
 
 /// Viewers have maps of 4 x 4 texels.
-Projected project(const std::vector<SurfacePencil>& pencils, const std::vector<float4>& irradiance, const MadeSurfels& surfels,
-                  const std::vector<SurfacePencil>& viewers, int first_viewer, float nearness) {
+ProjectedPencils project(const std::vector<SurfacePencil>& pencils, const std::vector<float4>& irradiance, const MadeSurfels& surfels,
+                         const std::vector<SurfacePencil>& viewers, int first_viewer, float nearness) {
     Kernels kernels = make_kernels();
     const SurfacePencils set = on_device(pencils);
     SurfacePencils seeing = on_device(viewers);
     seeing.n = 4;
-    Buffer<float> outgoing = filled_rgb(surfels.capacity, start);
+    Buffer<float> outgoing = filled_rgb(surfels.capacity, start_light);
     Buffer<unsigned char> contact(device(), std::vector<unsigned char>(static_cast<std::size_t>(surfels.capacity), 7), "contacts");
     project_surface_pencils(kernels, surfels.on_device(), set, Buffer<float4>(device(), irradiance, "irradiance"),
                             DeviceGrid(device(), pencils), {seeing, first_viewer}, nearness, outgoing, contact);
@@ -32,7 +32,7 @@ Projected project(const std::vector<SurfacePencil>& pencils, const std::vector<f
 }
 
 std::vector<float> project(const std::vector<SurfacePencil>& pencils, const std::vector<float4>& irradiance, const MadeSurfels& surfels) {
-    const Projected projected = project(pencils, irradiance, surfels, pencils, 0, 0);
+    const ProjectedPencils projected = project(pencils, irradiance, surfels, pencils, 0, 0);
     for (int i = 0; i < surfels.count; ++i) EXPECT_EQ(projected.contact[static_cast<std::size_t>(i)], 0) << i;
     return projected.outgoing;
 }
@@ -56,7 +56,7 @@ TEST(ProjectSurfacePencils, ReflectTheLinkedIrradiance) {
             const MadeSurfels surfels = made_surfels(surface, count);
             const std::vector<float> got = project(placed, irradiance, surfels);
             for (int i = 0; i < surfels.capacity; ++i) {
-                dvec3 expected(start);
+                dvec3 expected(start_light);
                 if (i < count && surfels.bits(SURFEL_PLANE, i) >= 0) {
                     const ref::FoundLinks found = ref::find_links(placed, surfels.position(i), surfels.normal(i));
                     if (found.margin < tolerance::decision || found.links.empty()) continue;  // stand-ins: test_link_surfels.cpp
@@ -79,8 +79,8 @@ TEST(ProjectSurfacePencils, WhatIsSeenFromNearIsLeftToItself) {
     for (int v = 0; v < first_viewer + count / 16; ++v) viewers.push_back(surface.pencil(surface.point(), 0.1));
     const std::vector<float4> irradiance = random_irradiance(surface.random, placed.size());
     const MadeSurfels surfels = made_surfels(surface, count);
-    const Projected all = project(placed, irradiance, surfels, viewers, first_viewer, 0),
-                    far = project(placed, irradiance, surfels, viewers, first_viewer, nearness);
+    const ProjectedPencils all = project(placed, irradiance, surfels, viewers, first_viewer, 0),
+                           far = project(placed, irradiance, surfels, viewers, first_viewer, nearness);
     const auto capacity = static_cast<std::size_t>(surfels.capacity);
     int contacts = 0, others = 0;
     for (int i = 0; i < count; ++i) {
@@ -97,7 +97,7 @@ TEST(ProjectSurfacePencils, WhatIsSeenFromNearIsLeftToItself) {
             contact = distance < most;
         }
         EXPECT_EQ(far.contact[static_cast<std::size_t>(i)], contact ? 1 : 0) << what;
-        expect_close(rgb_at(far.outgoing, capacity, i), contact ? dvec3(start) : rgb_at(all.outgoing, capacity, i), 0, what);
+        expect_close(rgb_at(far.outgoing, capacity, i), contact ? dvec3(start_light) : rgb_at(all.outgoing, capacity, i), 0, what);
         ++(contact ? contacts : others);
     }
     EXPECT_GT(contacts, 50);
@@ -112,7 +112,7 @@ TEST(ProjectSurfacePencils, ConstantIrradianceStaysConstant) {
     const std::vector<float> got = project(placed, std::vector<float4>(200, float4(2, 3, 4, 0)), surfels);
     int lit = 0;
     for (int i = 0; i < 700; ++i) {
-        const dvec3 reflected = rgb_at(got, static_cast<std::size_t>(surfels.capacity), i) - dvec3(start);
+        const dvec3 reflected = rgb_at(got, static_cast<std::size_t>(surfels.capacity), i) - dvec3(start_light);
         if (reflected == dvec3(0)) continue;
         ++lit;
         expect_close(reflected, surfels.albedo(i) * dvec3(2, 3, 4) / ref::pi, tolerance::accumulation, "surfel " + std::to_string(i));

@@ -8,7 +8,7 @@ namespace {
 using namespace pencil;
 using namespace pencil::test;
 
-constexpr float untouched = -7;
+constexpr float never_summed = -7;
 
 struct Summed {
     std::vector<float> radiance;  // [3][capacity]
@@ -22,7 +22,8 @@ Summed sum(int first_surfel, int first, int count, int n, double value = -1) {
     Summed s;
     s.capacity = surfel_capacity(first_surfel + count * n * n);
     for (int i = 0; i < 3 * s.capacity; ++i) s.radiance.push_back(static_cast<float>(value < 0 ? random.uniform(0, 5) : value));
-    Buffer<float4> irradiance(device(), std::vector<float4>(static_cast<std::size_t>(first + count + 3), float4(untouched)), "irradiance");
+    Buffer<float4> irradiance(device(), std::vector<float4>(static_cast<std::size_t>(first + count + 3), float4(never_summed)),
+                              "irradiance");
     Kernels kernels = make_kernels();
     sum_hemispheres(kernels, Buffer<float>(device(), s.radiance, "radiance"), s.capacity, first_surfel, first, count, n, irradiance);
     s.irradiance = irradiance.read();
@@ -43,15 +44,16 @@ TEST(SumHemispheres, IsTheSumOverTexels) {
                 expect_close(xyz(got), expected, tolerance::accumulation, "pencil " + std::to_string(p) + ", n " + std::to_string(n));
                 EXPECT_EQ(got.w, 0.0F);
             }
-            for (int p = 0; p < first; ++p) EXPECT_EQ(s.irradiance[static_cast<std::size_t>(p)], float4(untouched)) << "before the first";
+            for (int p = 0; p < first; ++p)
+                EXPECT_EQ(s.irradiance[static_cast<std::size_t>(p)], float4(never_summed)) << "before the first";
             for (std::size_t p = static_cast<std::size_t>(first + count); p < s.irradiance.size(); ++p)
-                EXPECT_EQ(s.irradiance[p], float4(untouched)) << "behind the last";
+                EXPECT_EQ(s.irradiance[p], float4(never_summed)) << "behind the last";
         }
 }
 
 TEST(SumHemispheres, UniformRadianceIsPi) {
     for (const float4& e : sum(0, 0, 5, 8, 2.0).irradiance) {
-        if (e == float4(untouched)) continue;
+        if (e == float4(never_summed)) continue;
         expect_close(xyz(e), dvec3(2.0 * ref::pi), tolerance::accumulation, "radiance 2");
     }
 }

@@ -21,10 +21,10 @@ inline void PrintTo(const NamedMap& named, std::ostream* out) { PrintTo(named.ma
 
 inline std::vector<NamedMap> comparison_maps() {
     std::vector<NamedMap> maps = {{paraboloid_map(), "paraboloid", ""}, {cube_map(), "cube", ""}, {pyramid_map(), "pyramid", ""}};
-    const double infinite = std::numeric_limits<double>::infinity();
+    const double no_limit = std::numeric_limits<double>::infinity();
     for (const bool cone : {false, true})
         for (const auto& [p, text] : {std::pair(1.0, "1.0f"), std::pair(1.5, "1.5f"), std::pair(2.0, "2.0f"), std::pair(4.0, "4.0f"),
-                                      std::pair(infinite, "INFINITY")})
+                                      std::pair(no_limit, "INFINITY")})
             maps.push_back({superquadric_map(p, cone), "superquadric", text, cone});
     return maps;
 }

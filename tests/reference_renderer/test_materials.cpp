@@ -10,9 +10,9 @@ namespace {
 using namespace pencil;
 using namespace pencil::test;
 
-const Surface black{glm::vec3(0.0F), glm::vec3(0.0F), false}, lamp{glm::vec3(0.0F), glm::vec3(1.0F), false};
+const Surface black{glm::vec3(0.0F), glm::vec3(0.0F), false}, white_lamp{glm::vec3(0.0F), glm::vec3(1.0F), false};
 
-SceneMaterial of_model(int model) {
+SceneMaterial scene_material(int model) {
     SceneMaterial m;
     m.model = model;
     m.eta = glm::vec3(1.5F);
@@ -37,7 +37,7 @@ void add_ball(Scene& scene, const SceneMaterial& material, bool smooth) {
 std::vector<std::pair<std::string, Scene>> all_bright() {
     std::vector<std::pair<std::string, Scene>> scenes(3);
     scenes[0].first = "walls";
-    add_box(scenes[0].second, dvec3(-4), dvec3(4), lamp);
+    add_box(scenes[0].second, dvec3(-4), dvec3(4), white_lamp);
     scenes[1].first = "constant";
     scenes[1].second.environment.emplace();
     scenes[2].first = "map";
@@ -50,11 +50,11 @@ std::vector<std::pair<std::string, Scene>> all_bright() {
 }
 
 TEST(Materials, WhatLosesNothingIsInvisibleInAWhiteFurnace) {
-    SceneMaterial glass = of_model(MATERIAL_DIELECTRIC), pane = glass, mirror = of_model(MATERIAL_CONDUCTOR);
+    SceneMaterial glass = scene_material(MATERIAL_DIELECTRIC), pane = glass, mirror = scene_material(MATERIAL_CONDUCTOR);
     pane.thin = true;
     mirror.perfect_mirror = true;
     for (auto& [name, scene] : all_bright())
-        for (const SceneMaterial& material : {glass, pane, mirror, of_model(MATERIAL_PASS)}) {
+        for (const SceneMaterial& material : {glass, pane, mirror, scene_material(MATERIAL_PASS)}) {
             Scene with_ball = scene;
             add_ball(with_ball, material, false);
             for (const Layer& image : {layer(trace(with_ball, 64).layers, "")}) expect_uniform(image, 1.0, 1e-4);
@@ -63,8 +63,9 @@ TEST(Materials, WhatLosesNothingIsInvisibleInAWhiteFurnace) {
 
 /// A plane of any material under even light is as bright as its albedo into the direction of the eye, whatever samples find that light.
 TEST(Materials, EveryLightFindsTheAlbedo) {
-    SceneMaterial metal = of_model(MATERIAL_CONDUCTOR), glass = of_model(MATERIAL_DIELECTRIC), oren = of_model(MATERIAL_ROUGH_DIFFUSE),
-                  phong = of_model(MATERIAL_PHONG), disney = of_model(MATERIAL_PRINCIPLED);
+    SceneMaterial metal = scene_material(MATERIAL_CONDUCTOR), glass = scene_material(MATERIAL_DIELECTRIC),
+                  oren = scene_material(MATERIAL_ROUGH_DIFFUSE), phong = scene_material(MATERIAL_PHONG),
+                  disney = scene_material(MATERIAL_PRINCIPLED);
     metal.alpha = {0.1F, 0.4F};
     metal.eta = glm::vec3(0.2F);
     metal.k = glm::vec3(3.9F);
@@ -111,9 +112,9 @@ TEST(Materials, LampBehindGlass) {
     const double r = fresnel_dielectric(1.0F, 1.5F).reflected, expected = (1 - r) / (1 + r);
     for (const bool thin : {false, true}) {
         Scene scene;
-        add_quad(scene, "lamp", {-1, -1, -1}, {2, 0, 0}, {0, 2, 0}, lamp);
+        add_quad(scene, "lamp", {-1, -1, -1}, {2, 0, 0}, {0, 2, 0}, white_lamp);
         add_quad(scene, "near", {-1, -1, 0.1}, {2, 0, 0}, {0, 2, 0}, black);
-        SceneMaterial glass = of_model(MATERIAL_DIELECTRIC);
+        SceneMaterial glass = scene_material(MATERIAL_DIELECTRIC);
         glass.thin = thin;
         paint(scene, glass);
         if (!thin) {
@@ -129,11 +130,11 @@ TEST(Materials, LampBehindGlass) {
 TEST(Materials, LampInAMirror) {
     Scene scene;
     add_quad(scene, "mirror", {-1, 0, -1}, {0, 0, 2}, {2, 0, 0}, black);
-    SceneMaterial metal = of_model(MATERIAL_CONDUCTOR);
+    SceneMaterial metal = scene_material(MATERIAL_CONDUCTOR);
     metal.eta = glm::vec3(0.2F);
     metal.k = glm::vec3(3.9F);
     paint(scene, metal);
-    add_quad(scene, "lamp", {-3, 2, -3}, {6, 0, 0}, {0, 0, 6}, lamp);
+    add_quad(scene, "lamp", {-3, 2, -3}, {6, 0, 0}, {0, 0, 6}, white_lamp);
     look_at(scene, {0, 1, 1}, dvec3(0), {0, 1, 0}, 1.0, 8, 8);
     const Layer image = layer(trace(scene, 4, 2).layers, "");
     expect_uniform(image, fresnel_conductor(std::sqrt(0.5F), 0.2F, 3.9F), 2e-3);
@@ -146,13 +147,13 @@ TEST(Materials, MasksDimAllLightsAlike) {
         Scene scene;
         add_quad(scene, "floor", {-3, 0, -3}, {0, 0, 6}, {6, 0, 0}, {glm::vec3(0.75F), glm::vec3(0.0F), false});
         if (kind == 0) scene.point_lights.push_back({{0, 2, 0}, glm::vec3(3.0F)});
-        if (kind == 1) add_quad(scene, "lamp", {-0.5, 2, -0.5}, {1, 0, 0}, {0, 0, 1}, lamp);
+        if (kind == 1) add_quad(scene, "lamp", {-0.5, 2, -0.5}, {1, 0, 0}, {0, 0, 1}, white_lamp);
         if (kind == 2) scene.environment.emplace();
         look_at(scene, {0.3, 0.1, 0.2}, {0.3, 0, 0.2}, {0, 0, 1}, 0.2, 8, 8);
         const Estimate open = mean_of_image(trace(scene, 1024, 2));
-        scene.materials.push_back(of_model(MATERIAL_PASS));
+        scene.materials.push_back(scene_material(MATERIAL_PASS));
         add_quad(scene, "sheet", {-200, 1, -200}, {0, 0, 400}, {400, 0, 0}, black);
-        SceneMaterial mask = of_model(MATERIAL_BLEND);
+        SceneMaterial mask = scene_material(MATERIAL_BLEND);
         mask.blended[0] = static_cast<std::int64_t>(scene.materials.size()) - 2;
         mask.blended[1] = 0;  // the floor's material
         mask.weight = 0.25F;
@@ -170,7 +171,7 @@ TEST(Materials, BacksAreOtherMaterials) {
     for (int kind = 0; kind < 3; ++kind) {
         Scene scene;
         scene.environment.emplace();
-        SceneMaterial other = of_model(MATERIAL_DIFFUSE), front = other;
+        SceneMaterial other = scene_material(MATERIAL_DIFFUSE), front = other;
         other.albedo = glm::vec3(0.25F);
         scene.materials.push_back(other);
         add_quad(scene, "sheet", {-1, 0, -1}, {2, 0, 0}, {0, 0, 2}, black);  // its front looks down

@@ -7,8 +7,8 @@ namespace {
 using namespace pencil;
 using namespace pencil::test;
 
-constexpr double albedo = 0.75;
-const Surface grey{glm::vec3(0.75F), glm::vec3(0.0F), false};
+constexpr double floor_albedo = 0.75;
+const Surface grey_floor{glm::vec3(0.75F), glm::vec3(0.0F), false};
 
 RenderOptions direct_options() {
     RenderOptions options = line_options();
@@ -21,7 +21,7 @@ RenderOptions direct_options() {
 
 Scene floor_seen_from_above() {
     Scene scene;
-    add_quad(scene, "floor", {-2, 0, -2}, {0, 0, 4}, {4, 0, 0}, grey);
+    add_quad(scene, "floor", {-2, 0, -2}, {0, 0, 4}, {4, 0, 0}, grey_floor);
     look_at(scene, {0.1, 2.2, 0.05}, {0.1, 0, 0.05}, {0, 0, 1}, 60.0, 96, 96);
     return scene;
 }
@@ -36,7 +36,7 @@ TEST(DirectLight, PointLightOverAPlane) {
     for (std::size_t i = 0; i < pixel_count(direct); ++i) {
         const dvec3 to_light = light - pixel(position, i);
         const double r = glm::length(to_light);
-        const dvec3 expected = albedo / ref::pi * intensity * (to_light.y / (r * r * r)), got = pixel(direct, i);
+        const dvec3 expected = floor_albedo / ref::pi * intensity * (to_light.y / (r * r * r)), got = pixel(direct, i);
         for (int c = 0; c < 3; ++c) ASSERT_NEAR(got[c], expected[c], 1e-3 * expected[c]) << "pixel " << i << " channel " << c;
     }
 }
@@ -74,7 +74,7 @@ TEST(DirectLight, ShadowOfAQuad) {
 
 TEST(DirectLight, SphereWithAPointLightAtItsCentre) {
     Scene scene;
-    add_shape(scene, "sphere", inward_sphere(2.0, 24), grey);
+    add_shape(scene, "sphere", inward_sphere(2.0, 24), grey_floor);
     scene.point_lights.push_back({dvec3(0.0), glm::vec3(3.0F)});
     look_at(scene, {0.5, 0.3, -0.4}, {2, -0.2, 1}, {0, 1, 0}, 80.0, 48, 48);
     RenderOptions options = direct_options();
@@ -83,10 +83,10 @@ TEST(DirectLight, SphereWithAPointLightAtItsCentre) {
     options.map = 32;
     options.tolerance = 1e-4;
     const RenderResult result = render_layers(scene, options, {"direct"});
-    const double direct = albedo / ref::pi * 3.0 / 4.0;     // E = I / r^2
-    expect_uniform(layer(result, "direct"), direct, 0.01);  // flat faces of 7.5 degrees: cos falls to 0.9957, 1 / r^2 rises by 0.9 %
+    const double direct = floor_albedo / ref::pi * 3.0 / 4.0;  // E = I / r^2
+    expect_uniform(layer(result, "direct"), direct, 0.01);     // flat faces of 7.5 degrees: cos falls to 0.9957, 1 / r^2 rises by 0.9 %
     // Inside a sphere every point receives the same from every point: the series is geometric. Half of the bounding box lies outside.
-    expect_uniform(layer(result, ""), direct / (1.0 - albedo), 0.01);
+    expect_uniform(layer(result, ""), direct / (1.0 - floor_albedo), 0.01);
 }
 
 TEST(DirectLight, PolygonByLambertsFormula) {
@@ -101,7 +101,7 @@ TEST(DirectLight, PolygonByLambertsFormula) {
     for (std::size_t i = 0; i < pixel_count(direct); ++i) {
         const dvec3 p = pixel(position, i);
         const double e = 2.0 * ref::polygon_irradiance({corner, corner + u, corner + u + v, corner + v}, p, {0, 1, 0});
-        const double expected = albedo / ref::pi * e;
+        const double expected = floor_albedo / ref::pi * e;
         ASSERT_NEAR(pixel(direct, i).x, expected, 0.01 * expected) << "pixel " << i << " at " << p.x << " " << p.z;
     }
 }

@@ -94,7 +94,7 @@ void expect_union_not_worse(Placement a, Placement b, int n, int seeds, const ch
 TEST(PlacementError, AUnionIsNotWorseThanItsBetterPartOnTheLitWall) {
     for (const auto& [a, b] :
          {std::pair{Placement::lds, Placement::near_surface}, std::pair{Placement::light_rays, Placement::camera_rays}})
-        expect_union_not_worse(a, b, 64, 6, "lit wall", lit_wall_error);
+        expect_union_not_worse(a, b, 64, 4, "lit wall", lit_wall_error);
 }
 
 TEST(PlacementError, AUnionIsNotWorseThanItsBetterPartInTheCornellBox) {
@@ -102,7 +102,7 @@ TEST(PlacementError, AUnionIsNotWorseThanItsBetterPartInTheCornellBox) {
     const auto error = [&](const Mixture& m, int n, std::uint64_t seed) { return cornell.error(m, n, seed); };
     for (const auto& [a, b] : {std::pair{Placement::lds, Placement::near_surface}, std::pair{Placement::light_rays, Placement::camera_rays},
                                std::pair{Placement::lds, Placement::profile}})
-        expect_union_not_worse(a, b, 64, 6, "Cornell box", error);
+        expect_union_not_worse(a, b, 64, 4, "Cornell box", error);
 }
 
 TEST(PlacementError, DISABLED_TableOfDocsAccuracy) {

@@ -18,7 +18,7 @@ Scene read_room(const std::filesystem::path& file, const LoadOptions&) {
     const std::string text = read_regular_file(file, max_xml_bytes, shown(file));
     const std::vector<std::string_view> words = tokens(text);
     if (words.size() != 4) throw SceneError(shown(file) + ":2", "three sizes are needed, as in \"4 3 5\"");
-    Placement placement;
+    MeshPlacement placement;
     placement.flip_normals = true;  // seen from inside
     for (int k = 0; k < 3; ++k) {
         const std::optional<double> size = parse_number(words[static_cast<std::size_t>(k) + 1]);

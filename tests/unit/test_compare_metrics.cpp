@@ -14,7 +14,7 @@
 namespace pencil {
 namespace {
 
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
 Metrics measure_rgb(const std::vector<float>& x, const std::vector<float>& r, const std::optional<double>& exposure = {}) {
     return measure({x.data(), r.data(), x.size() / 3, 3}, exposure);
@@ -62,7 +62,7 @@ TEST(Metrics, UndefinedIsNotANumber) {
     EXPECT_TRUE(std::isnan(measure_rgb(x, black).rel_mse));
     EXPECT_TRUE(std::isnan(measure_rgb(x, black).mean_ratio));
     EXPECT_EQ(measure_rgb(x, black).rmse, 1);
-    const std::vector<float> hole{nan, 1, 1};
+    const std::vector<float> hole{not_a_number, 1, 1};
     EXPECT_TRUE(std::isnan(measure_rgb(hole, x).rmse));
     EXPECT_EQ(undefined_reason(measure_rgb(x, black)), "the mean of the reference is 0");
     EXPECT_EQ(undefined_reason(measure_rgb(hole, x)), "no pixel is finite in both images");
@@ -82,7 +82,7 @@ TEST(Metrics, BlackIsEqualToBlack) {
 
 TEST(Metrics, PixelsThatAreNotFiniteDoNotCount) {
     const float inf = std::numeric_limits<float>::infinity();
-    const std::vector<float> x{1, 2, 3, nan, 0, 0, 5, 5, 5, 0, 0, 1}, r{1, 1, 1, 1, 1, 1, 1, -inf, 1, 2, 0, 1};
+    const std::vector<float> x{1, 2, 3, not_a_number, 0, 0, 5, 5, 5, 0, 0, 1}, r{1, 1, 1, 1, 1, 1, 1, -inf, 1, 2, 0, 1};
     const Metrics m = measure_rgb(x, r, 1.0), clean = measure_rgb({1, 2, 3, 0, 0, 1}, {1, 1, 1, 2, 0, 1}, 1.0);
     EXPECT_EQ(m.pixels, 2U);
     EXPECT_EQ(m.excluded, 2U);
@@ -148,7 +148,7 @@ TEST(Lab, RmsOfDisplayedColours) {
 }
 
 TEST(Exposure, BringsTheMedianOfWhatIsLitToMiddleGrey) {
-    const std::vector<float> rgb{0, 0, 0, 0.1F, 0.1F, 0.1F, 0.4F, 0.4F, 0.4F, 90, 90, 90, nan, 1, 1, 0, 0, 0};
+    const std::vector<float> rgb{0, 0, 0, 0.1F, 0.1F, 0.1F, 0.4F, 0.4F, 0.4F, 90, 90, 90, not_a_number, 1, 1, 0, 0, 0};
     EXPECT_NEAR(exposure_of(rgb.data(), 6), 0.18 / 0.4, 1e-6);
     EXPECT_EQ(exposure_of(rgb.data(), 1), 1);
 }

@@ -11,12 +11,12 @@
 namespace pencil {
 namespace {
 
-std::string defect(const std::string& bytes) {
+std::string ply_defect(const std::string& bytes) {
     return defect_of([](const std::string& content) { read_ply(content, "m.ply"); }, bytes);
 }
 
-void expect_defect(const std::string& bytes, const std::string& where, const std::string& part) {
-    expect_message(defect(bytes), where, part);
+void expect_ply_defect(const std::string& bytes, const std::string& where, const std::string& part) {
+    expect_message(ply_defect(bytes), where, part);
 }
 
 template <class T>
@@ -95,7 +95,7 @@ TEST(ReadPly, StripsOfTriangles) {
     EXPECT_EQ(read_ply(text, "m.ply").triangles, (std::vector<glm::uvec3>{{0, 1, 2}, {2, 1, 3}, {4, 3, 2}}));
     std::string bad = text;
     bad.replace(bad.find("-1 4"), 4, "-2 4");
-    expect_defect(bad, "m.ply:15: ", "out of range");
+    expect_ply_defect(bad, "m.ply:15: ", "out of range");
 }
 
 TEST(ReadPly, TextureCoordinatesOfFacesAreLeftOutAloud) {
@@ -120,67 +120,67 @@ TEST(ReadPly, CountsAreCheckedBeforeAnythingIsAllocated) {
             return "ply\nformat " + format + " 1.0\nelement vertex " + count +
                    "\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n";
         };
-        expect_defect(counted("1000000000"), "m.ply:3: ", "the file ends too early");
-        expect_defect(counted("9223372036854775807"), "m.ply:3: ", "the file ends too early");
-        expect_defect(counted("9223372036854775808"), "m.ply:3: ", "is not a number of things");
-        expect_defect(counted("-1"), "m.ply:3: ", "is not a number of things");
-        expect_defect("ply\nformat " + format +
-                          " 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\n"
-                          "element nothing 9223372036854775807\nend_header\n",
-                      "m.ply:7: ", "has no properties");
+        expect_ply_defect(counted("1000000000"), "m.ply:3: ", "the file ends too early");
+        expect_ply_defect(counted("9223372036854775807"), "m.ply:3: ", "the file ends too early");
+        expect_ply_defect(counted("9223372036854775808"), "m.ply:3: ", "is not a number of things");
+        expect_ply_defect(counted("-1"), "m.ply:3: ", "is not a number of things");
+        expect_ply_defect("ply\nformat " + format +
+                              " 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\n"
+                              "element nothing 9223372036854775807\nend_header\n",
+                          "m.ply:7: ", "has no properties");
     }
 }
 
 TEST(ReadPly, BadHeaders) {
-    expect_defect("", "m.ply:1: ", "end_header");
-    expect_defect("plx\n", "m.ply:1: ", "the first line is not \"ply\"");
-    expect_defect("ply\nformat ascii 2.0\nend_header\n", "m.ply:2: ", "ENCODING 1.0");
-    expect_defect("ply\nformat binary_middle_endian 1.0\nend_header\n", "m.ply:2: ", "is not known");
-    expect_defect("ply\nend_header\n", "m.ply:2: ", "no format line");
-    expect_defect("ply\nformat ascii 1.0\nend_header\n", "m.ply: ", "no element \"vertex\"");
-    expect_defect("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nend_header\n0 0\n",
-                  "m.ply:3: ", "x, y and z");
-    expect_defect("ply\nformat ascii 1.0\nelement vertex 1\nproperty half x\nend_header\n", "m.ply:4: ", "\"half\" is not known");
-    expect_defect("ply\nformat ascii 1.0\nproperty float x\n", "m.ply:3: ", "before the first element");
-    expect_defect("ply\nformat ascii 1.0\nelement face 1\nproperty list float int vertex_indices\n", "m.ply:4: ", "must be an integer");
-    expect_defect("ply\nformat ascii 1.0\nelement vertex\n", "m.ply:3: ", "NAME COUNT");
-    expect_defect("ply\nformat ascii 1.0\nwhatever\n", "m.ply:3: ", "unknown header word");
-    expect_defect("ply\nformat ascii 1.0\n" + std::string(1 << 20, 'c') + "\nend_header\n", "m.ply:3: ", "65536 bytes");
-    expect_defect(header("ascii", 1, 0) + "0 0      \n", "m.ply:13: ", "too few values");
+    expect_ply_defect("", "m.ply:1: ", "end_header");
+    expect_ply_defect("plx\n", "m.ply:1: ", "the first line is not \"ply\"");
+    expect_ply_defect("ply\nformat ascii 2.0\nend_header\n", "m.ply:2: ", "ENCODING 1.0");
+    expect_ply_defect("ply\nformat binary_middle_endian 1.0\nend_header\n", "m.ply:2: ", "is not known");
+    expect_ply_defect("ply\nend_header\n", "m.ply:2: ", "no format line");
+    expect_ply_defect("ply\nformat ascii 1.0\nend_header\n", "m.ply: ", "no element \"vertex\"");
+    expect_ply_defect("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nend_header\n0 0\n",
+                      "m.ply:3: ", "x, y and z");
+    expect_ply_defect("ply\nformat ascii 1.0\nelement vertex 1\nproperty half x\nend_header\n", "m.ply:4: ", "\"half\" is not known");
+    expect_ply_defect("ply\nformat ascii 1.0\nproperty float x\n", "m.ply:3: ", "before the first element");
+    expect_ply_defect("ply\nformat ascii 1.0\nelement face 1\nproperty list float int vertex_indices\n", "m.ply:4: ", "must be an integer");
+    expect_ply_defect("ply\nformat ascii 1.0\nelement vertex\n", "m.ply:3: ", "NAME COUNT");
+    expect_ply_defect("ply\nformat ascii 1.0\nwhatever\n", "m.ply:3: ", "unknown header word");
+    expect_ply_defect("ply\nformat ascii 1.0\n" + std::string(1 << 20, 'c') + "\nend_header\n", "m.ply:3: ", "65536 bytes");
+    expect_ply_defect(header("ascii", 1, 0) + "0 0      \n", "m.ply:13: ", "too few values");
     std::string doubles = header("ascii", 4, 2) + ascii_body;
     doubles.replace(doubles.find("uchar int"), 9, "uchar double");
-    expect_defect(doubles, "m.ply:9: ", "vertex indices must be integers");
+    expect_ply_defect(doubles, "m.ply:9: ", "vertex indices must be integers");
 }
 
 TEST(ReadPly, BadBodies) {
     const std::string head = header("ascii", 3, 1);
-    expect_defect(head + "0 0 0 1\n0 0 0 1\n0 0 0 1 5\n3 0 1 2 0\n", "m.ply:15: ", "more values than the header says");
-    expect_defect(head + "0 0 0 1\n0 nan 0 1\n0 0 0 1\n3 0 1 2 0\n", "m.ply:14: ", "\"nan\" is not a finite number");
-    expect_defect(head + "0 0 0 1\n0 1,5 0 1\n0 0 0 1\n3 0 1 2 0\n", "m.ply:14: ", "decimal mark");
-    expect_defect(head + "0 0 0 1\n0 0 0 1\n0 0 0 1\n3 0 1 3 0\n", "m.ply: ", "names vertex 3, but there are 3");
-    expect_defect(head + "0 0 0 1\n0 0 0 1\n0 0 0 1\n3 0 1 -1 0\n", "m.ply:16: ", "out of range");
-    expect_defect(head + "0 0 0 1\n0 0 0 1\n0 0 0 1\n2 0 1 0   \n", "m.ply:16: ", "fewer than 3");
-    expect_defect(head + "0 0 0 1\n0 0 0 1\n0 0 0 1\n4000000000 0 1 2 0\n", "m.ply:16: ", "impossible length");
-    expect_defect(head + "0 0 0 1\n0 0 0 1\n0 0 0 1\n-3 0 1 2 0\n", "m.ply:16: ", "impossible length");
-    expect_defect(head + "0 0 0 1\n0 0 0 1\n0 0 0 1\n3.5 0 1 2 0\n", "m.ply:16: ", "is not an integer");
+    expect_ply_defect(head + "0 0 0 1\n0 0 0 1\n0 0 0 1 5\n3 0 1 2 0\n", "m.ply:15: ", "more values than the header says");
+    expect_ply_defect(head + "0 0 0 1\n0 nan 0 1\n0 0 0 1\n3 0 1 2 0\n", "m.ply:14: ", "\"nan\" is not a finite number");
+    expect_ply_defect(head + "0 0 0 1\n0 1,5 0 1\n0 0 0 1\n3 0 1 2 0\n", "m.ply:14: ", "decimal mark");
+    expect_ply_defect(head + "0 0 0 1\n0 0 0 1\n0 0 0 1\n3 0 1 3 0\n", "m.ply: ", "names vertex 3, but there are 3");
+    expect_ply_defect(head + "0 0 0 1\n0 0 0 1\n0 0 0 1\n3 0 1 -1 0\n", "m.ply:16: ", "out of range");
+    expect_ply_defect(head + "0 0 0 1\n0 0 0 1\n0 0 0 1\n2 0 1 0   \n", "m.ply:16: ", "fewer than 3");
+    expect_ply_defect(head + "0 0 0 1\n0 0 0 1\n0 0 0 1\n4000000000 0 1 2 0\n", "m.ply:16: ", "impossible length");
+    expect_ply_defect(head + "0 0 0 1\n0 0 0 1\n0 0 0 1\n-3 0 1 2 0\n", "m.ply:16: ", "impossible length");
+    expect_ply_defect(head + "0 0 0 1\n0 0 0 1\n0 0 0 1\n3.5 0 1 2 0\n", "m.ply:16: ", "is not an integer");
     std::string bytes = binary(false);
     const std::size_t body = bytes.find("end_header\n") + 11;
     const float nan = std::numeric_limits<float>::quiet_NaN();
     std::string bad = bytes;
     std::memcpy(&bad[body], &nan, sizeof nan);
-    expect_defect(bad, "m.ply: ", "position of vertex 0 is not finite");
+    expect_ply_defect(bad, "m.ply: ", "position of vertex 0 is not finite");
     bad = bytes;
     bad[body + 4 * 17 + 1 + 3] = '\x7f';  // the first face's first index becomes huge
-    expect_defect(bad, "m.ply: ", "names vertex 2130706432");
+    expect_ply_defect(bad, "m.ply: ", "names vertex 2130706432");
     std::string signed_length =
         "ply\nformat binary_little_endian 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\n"
         "element face 1\nproperty list char int vertex_indices\nend_header\n\xff????";
-    expect_defect(signed_length, "m.ply: ", "impossible length");
+    expect_ply_defect(signed_length, "m.ply: ", "impossible length");
 }
 
 TEST(ReadPly, TruncationNeverCrashes) {
     for (const std::string& bytes : {header("ascii", 4, 2) + ascii_body, binary(false), binary(true)})
-        for (std::size_t n = 0; n + 2 < bytes.size(); ++n) EXPECT_NE(defect(bytes.substr(0, n)), "") << n;
+        for (std::size_t n = 0; n + 2 < bytes.size(); ++n) EXPECT_NE(ply_defect(bytes.substr(0, n)), "") << n;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 namespace {
 
 using namespace pencil::ref;
+using pencil::ref::Triangle;
 
 /// The six walls of [-1, 1]^3, two triangles each, planes 0 to 5.
 std::vector<Triangle> box() {

@@ -5,6 +5,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "scene/gltf/turned_frame.h"
+#include "util/constants.h"
 
 namespace pencil {
 namespace {
@@ -25,7 +26,6 @@ void check(bool holds, const GltfFile& file, const std::string& label, const cha
 
 void read_perspective(const GltfFile& file, const tinygltf::PerspectiveCamera& camera, const std::string& label,
                       PerspectiveSensor& sensor) {
-    constexpr double pi = 3.14159265358979323846;
     check(camera.yfov > 0 && camera.yfov < pi, file, label, "yfov must lie between 0 and pi, both excluded");
     check(camera.znear > 0 && camera.znear < very_far, file, label, "znear must be positive");
     check(camera.aspectRatio >= 0 && camera.aspectRatio < 1e3 && !(camera.aspectRatio > 0 && camera.aspectRatio < 1e-3), file, label,

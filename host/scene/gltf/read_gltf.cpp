@@ -71,7 +71,7 @@ private:
         shape.first_triangle = static_cast<std::uint32_t>(scene_.triangles.size());
         materials_.read_emission(primitive.material, shape);
         const Owner owner{static_cast<std::uint32_t>(scene_.shapes.size()), materials_.read(primitive.material, !mesh.colours.empty())};
-        Placement placement;
+        MeshPlacement placement;
         placement.to_world = to_world;
         const std::string where = shown(file_.path()) + ": " + label;
         const PlacementCounts counts = place_mesh(mesh, placement, owner, where, scene_);

@@ -23,7 +23,7 @@ struct Mesh {
     std::vector<std::string> notes;  // what the file has and the mesh has not, for warnings
 };
 
-struct Placement {
+struct MeshPlacement {
     glm::dmat4 to_world{1.0};
     bool flip_normals = false;  // turns front to back
     bool face_normals = false;  // drops the mesh's normals, given or computed
@@ -44,7 +44,7 @@ struct Owner {
 
 /// Appends the mesh, transformed, to the scene's arrays as triangles of `owner`. The side of the transformed normal stays the front, under
 /// mirroring too. Vertices that no kept triangle uses are left out. `where` is blamed for coordinates out of range.
-PlacementCounts place_mesh(const Mesh& mesh, const Placement& placement, Owner owner, const std::string& where, Scene& scene);
+PlacementCounts place_mesh(const Mesh& mesh, const MeshPlacement& placement, Owner owner, const std::string& where, Scene& scene);
 
 // Built-in shapes have the texture coordinates of Mitsuba's.
 

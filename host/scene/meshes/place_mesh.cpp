@@ -23,7 +23,7 @@ glm::dvec3 unit_or_zero(glm::dvec3 v) {
 
 class Placer {
 public:
-    Placer(const Mesh& mesh, const Placement& placement, const std::string& where, Scene& scene)
+    Placer(const Mesh& mesh, const MeshPlacement& placement, const std::string& where, Scene& scene)
         : mesh_(mesh), placement_(placement), where_(where), scene_(scene), placed_(mesh.positions.size(), not_placed) {
         const glm::dmat3 linear(placement.to_world);
         const glm::dmat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]), glm::cross(linear[0], linear[1]));
@@ -113,7 +113,7 @@ private:
     }
 
     const Mesh& mesh_;
-    const Placement& placement_;
+    const MeshPlacement& placement_;
     const std::string& where_;
     Scene& scene_;
     bool mirrors_ = false;
@@ -123,7 +123,7 @@ private:
 
 }  // namespace
 
-PlacementCounts place_mesh(const Mesh& mesh, const Placement& placement, Owner owner, const std::string& where, Scene& scene) {
+PlacementCounts place_mesh(const Mesh& mesh, const MeshPlacement& placement, Owner owner, const std::string& where, Scene& scene) {
     return Placer(mesh, placement, where, scene).place(owner);
 }
 

@@ -2,12 +2,12 @@
 #include <cmath>
 
 #include "scene/meshes/mesh.h"
+#include "util/constants.h"
 
 namespace pencil {
 namespace {
 
 constexpr int segments = 128;
-constexpr double pi = 3.14159265358979323846;
 
 /// Exact at quarter turns, so that shapes meet there.
 glm::dvec3 on_circle(int i) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "scene/meshes/mesh.h"
+#include "util/constants.h"
 
 namespace pencil {
 namespace {
@@ -44,7 +45,7 @@ Mesh make_icosahedron() {
 
 /// Texture coordinates of a triangle of the sphere, so that they are linear over it as nearly as can be.
 std::array<glm::vec2, 3> spherical_uvs(const glm::dvec3 (&corners)[3]) {
-    constexpr double pi = 3.14159265358979323846, at_pole = 1e-9;
+    constexpr double at_pole = 1e-9;
     double u[3], mean = 0;
     bool pole[3];
     int count = 0;

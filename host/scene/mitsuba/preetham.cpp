@@ -9,11 +9,11 @@
 #include <glm/mat3x3.hpp>
 
 #include "scene/mitsuba/spectrum.h"
+#include "util/constants.h"
 
 namespace pencil {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double luminous_efficacy = 683.0;     // [lm/W]
 constexpr double luminosity_width = 106.85698;  // integral of the eye's sensitivity [nm]
 

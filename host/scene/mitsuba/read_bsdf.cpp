@@ -11,7 +11,7 @@
 namespace pencil {
 namespace {
 
-constexpr int deepest = 16;  // materials that hold materials; a longer chain is a circle of references
+constexpr int deepest_material = 16;  // materials that hold materials; a longer chain is a circle of references
 constexpr std::size_t max_materials = std::size_t{1} << 18;
 
 /// As Mitsuba reads them, too: flat places of such a map lean.
@@ -94,12 +94,13 @@ SceneMaterial BsdfReader::read(pugi::xml_node node, int depth) {
 
 SceneMaterial BsdfReader::read_new(pugi::xml_node node, int depth) {
     Properties p(source_, node);
-    if (depth > deepest) p.fail("", "refers to itself");
+    if (depth > deepest_material) p.fail("", "refers to itself");
     const std::string type = node.attribute("type").value();
     const BsdfPlugin plugin = find_bsdf_plugin(type);
     SceneMaterial material = plugin ? plugin(p, textures_) : read_holder(p, type, depth);
     p.ignore({"specular_sampling_weight", "sample_visible"});
-    if (nesting(material) > deepest) p.fail("", "holds more than " + std::to_string(deepest) + " blends within each other");
+    if (nesting(material) > deepest_material)
+        p.fail("", "holds more than " + std::to_string(deepest_material) + " blends within each other");
     if (node.attribute("id")) material.id = node.attribute("id").value();
     p.finish();
     return material;

@@ -9,7 +9,7 @@
 namespace pencil {
 namespace {
 
-constexpr int deepest = 4;  // integrators inside integrators
+constexpr int deepest_integrator = 4;  // integrators inside integrators
 
 const std::vector<std::string> like_path = {"volpath", "volpathmis", "volpath_simple", "bdpt", "ptracer", "mlt",
                                             "pssmlt",  "erpt",       "photonmapper",   "ppm",  "sppm",    "vpl",
@@ -27,7 +27,7 @@ int bounces(Properties& p) {
 int read(XmlSource& source, pugi::xml_node node, int depth) {
     Properties p(source, node);
     const std::string type = node.attribute("type").value();
-    if (depth > deepest) p.fail("", "holds integrators in each other too deep");
+    if (depth > deepest_integrator) p.fail("", "holds integrators in each other too deep");
     const std::vector<NestedObject> inner = p.take_objects("integrator");
     if (!inner.empty()) {  // moment, aov, stereo, adaptive, irrcache ...
         source.warn(node, p.label() + ": what it adds is left out, the integrator inside is read");

@@ -110,7 +110,7 @@ void ShapeReader::read_meters(Properties& p, const Shape& shape) {
 }
 
 void ShapeReader::place(Properties& p, const Mesh& mesh, const glm::dmat4& group_to_world, Shape shape, std::uint32_t material) {
-    Placement placement;
+    MeshPlacement placement;
     placement.to_world = group_to_world * shape_to_world(p, shape.kind);
     placement.flip_normals = p.boolean("flip_normals", false);
     placement.face_normals = p.boolean("face_normals", false);

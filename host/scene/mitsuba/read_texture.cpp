@@ -9,7 +9,7 @@
 namespace pencil {
 namespace {
 
-constexpr int deepest = 8;  // of nested textures; a longer chain is a circle of references
+constexpr int deepest_texture = 8;  // of nested textures; a longer chain is a circle of references
 
 float luminance(glm::vec3 c) { return 0.212671F * c.x + 0.715160F * c.y + 0.072169F * c.z; }
 
@@ -54,7 +54,7 @@ ColourSlot TextureReader::read_nested(const NestedObject& object, ColourUse use,
     if (place != done_.end()) return place->second;
     ColourSlot slot;
     source_.problems().attempt([&] {
-        if (depth > deepest) source_.fail(object.named_at, "this texture refers to itself, or holds too many others");
+        if (depth > deepest_texture) source_.fail(object.named_at, "this texture refers to itself, or holds too many others");
         slot = read_new(object, use, channel, depth);
     });
     return done_[{node, use, channel}] = slot;

@@ -6,11 +6,11 @@
 
 #include "scene/mitsuba/preetham.h"
 #include "scene/mitsuba/sun_position.h"
+#include "util/constants.h"
 
 namespace pencil {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr int map_width = 512, map_height = 256;
 
 /// Unit, in the emitter's frame: up to version 1, +y is the zenith, -z north and +x east; later +z is the zenith, +x south and +y west.

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "util/constants.h"
+
 namespace pencil {
 namespace {
 
-constexpr double pi = 3.14159265358979323846, degree = pi / 180.0;
+constexpr double degree = pi / 180.0;
 
 /// Days since the noon of 1 January 2000, universal time.
 double days_since_2000(const PlaceAndTime& at) {

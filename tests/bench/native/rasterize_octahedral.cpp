@@ -36,12 +36,12 @@ int clip(const float4v* in, int count, int axis, float4v* out) {
     return kept;
 }
 
-struct Box {
+struct OctantBox {
     float x0, y0, x1, y1;
 };
 
 /// Bounds of |x| / W, |y| / W of the part of a triangle in the octant, its signs taken out; x0 > x1 if there is none.
-Box octant_box(float4v p0, float4v p1, float4v p2) {
+OctantBox octant_box(float4v p0, float4v p1, float4v p2) {
     float4v a[7] = {p0, p1, p2}, b[7];
     int count = 3;
     const float4v low = least(least(p0, p1), p2);
@@ -52,7 +52,7 @@ Box octant_box(float4v p0, float4v p1, float4v p2) {
         count = clip(a, count, 2, b);
         corners = b;
     }
-    Box box{1, 1, 0, 0};
+    OctantBox box{1, 1, 0, 0};
     for (int i = 0; i < count; ++i) {
         const float4v p = corners[i];
         const float norm = std::abs(p[0]) + std::abs(p[1]) + std::abs(p[2]);
@@ -63,7 +63,7 @@ Box octant_box(float4v p0, float4v p1, float4v p2) {
     return box;
 }
 
-void draw(const RasterTriangle& t, int triangle, const Octant& octant, Box box, int n, RasterTarget& target) {
+void draw(const RasterTriangle& t, int triangle, const Octant& octant, OctantBox box, int n, RasterTarget& target) {
     const int half = n / 2;
     const auto size = static_cast<float>(half);
     if (!octant.front) box = {1 - box.y1, 1 - box.x1, 1 - box.y0, 1 - box.x0};
@@ -89,7 +89,7 @@ void draw_triangle(const Triangle& triangle, int index, const float4& plane, flo
         const float4v q0 = p0 * octant.sign, q1 = p1 * octant.sign, q2 = p2 * octant.sign;
         const float4v high = most(most(q0, q1), q2);
         if (high[0] < 0.0F || high[1] < 0.0F || high[2] < 0.0F) continue;
-        const Box box = octant_box(q0, q1, q2);
+        const OctantBox box = octant_box(q0, q1, q2);
         if (box.x0 <= box.x1) draw(raster_setup(p0, p1, p2, plane, ahead, octant.frame), index, octant, box, n, target);
     }
 }

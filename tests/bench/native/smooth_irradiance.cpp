@@ -8,8 +8,8 @@ namespace {
 constexpr int smooth_reach = 3;
 constexpr float slope_hold = 1e-3F;
 
-/// Sums of weights, of (s, u) and the irradiance, and of their products.
-struct Sums {
+/// LineSums of weights, of (s, u) and the irradiance, and of their products.
+struct LineSums {
     float w = 0, ws = 0, wu = 0, wss = 0, wsu = 0, wuu = 0;
     float4v e{}, es{}, eu{};
 
@@ -54,7 +54,7 @@ void smooth_irradiance(const LatticeView& film, const float4* irradiance, float 
                 Vec3 t, b;
                 tangent_frame(n, t, b);
                 const float unit = own.facing.w;
-                Sums sums;
+                LineSums sums;
                 visit_neighbours(
                     film, pixel % film.width, pixel / film.width, smooth_reach, own.spacing,
                     [&](int other) {

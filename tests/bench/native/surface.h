@@ -73,7 +73,8 @@ void transport_irradiance(const SurfelsView& surfels, const glm::ivec4* links, c
 void close_series(const float4* last, const float4& tail, int count, float4* total);
 
 /// Harmonic mean distance of the emitters that pencils see, by the share of their light that light samples leave.
-void approach_emitters(const SceneView& scene, const SurfelsView& surfels, int count, int n, const float* near_area, SurfacePencil* pencils);
+void approach_emitters(const SceneView& scene, const SurfelsView& surfels, int count, int n, const float* near_area,
+                       SurfacePencil* pencils);
 
 /// reaches: by pencil, at most the distance of emitters from neighbours at `spacing`.
 void limit_reuse(const LatticeView& film, int spacing, float* reaches);
