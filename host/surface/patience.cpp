@@ -17,8 +17,6 @@ constexpr double mean_share = 0.1;
 /// From so many passes on, an error that twice the passes do not lower to this share does not fall any more.
 constexpr int steady_passes = 64;
 constexpr double falling_share = 0.85;
-/// Nor is there an end in sight where, falling as noise does, it would take so many times the most passes.
-constexpr double out_of_reach = 2;
 /// And from so many on where it is surely so many times what was asked for: that is no matter of patience.
 constexpr int hopeless_passes = 16;
 constexpr double hopeless = 100;
@@ -39,17 +37,11 @@ Patience::Answer Patience::ask(const PassesSoFar& so_far) {
     if (passes >= least_passes && error <= target_ && knows_the_mean(so_far)) return {true, {}};
     const int patience = sure_error > hopeless * target_ ? hopeless_passes : steady_passes;
     const bool stuck = error > target_ && passes >= patience && passes == 2 * error_passes_ && error > falling_share * last_error_;
-    const double needed = passes * sure_error / target_;  // noise: error times passes is constant
-    const bool endless = passes == steady_passes && needed > out_of_reach * most_passes;
-    if (stuck || endless || passes >= most_passes)
+    if (stuck || passes >= most_passes)
         return {true,
                 fmt::format("stopped {} --target-error: the estimated relMSE is {:.2g} after {} passes{}, the mean known to {:.1g} %; "
                             "--time S goes on, more --pencils may help",
-                            error > target_ ? "above" : "by", error, passes,
-                            stuck     ? " and falls no further"
-                            : endless ? fmt::format(" and would take {:.0f}", needed)
-                                      : "",
-                            100 * mean_error)};
+                            error > target_ ? "above" : "by", error, passes, stuck ? " and falls no further" : "", 100 * mean_error)};
     if ((passes & (passes - 1)) == 0) {
         error_passes_ = passes;
         last_error_ = error;

@@ -65,23 +65,10 @@ TEST(Patience, AnErrorThatFallsNoFurtherEndsIt) {
     EXPECT_EQ(end_of([](int passes) { return PassesSoFar{passes, 1000 * target, target, 0, unchecked}; }).passes, 64);
     // One that falls by a fifth from doubling to doubling is worth waiting for.
     const End slow = end_of([](int passes) {
-        return PassesSoFar{passes, 20 * target * std::pow(passes, -0.33), 20 * target * std::pow(passes, -0.33), 0, unchecked};
+        return PassesSoFar{passes, 50 * target * std::pow(passes, -0.33), 50 * target * std::pow(passes, -0.33), 0, unchecked};
     });
     EXPECT_EQ(slow.passes, 256);
     EXPECT_NE(slow.reason.find("above --target-error"), std::string::npos) << slow.reason;
-}
-
-TEST(Patience, NoiseThatWouldTakeTooManyPassesIsNotWaitedFor) {
-    const auto noise = [](double passes_needed) {
-        return [=](int passes) {
-            return PassesSoFar{passes, target * passes_needed / passes, target * passes_needed / passes, 0, unchecked};
-        };
-    };
-    EXPECT_EQ(end_of(noise(200)).passes, 200);
-    EXPECT_EQ(end_of(noise(400)).passes, 256);
-    const End end = end_of(noise(1000));
-    EXPECT_EQ(end.passes, 64);
-    EXPECT_NE(end.reason.find("would take 1000"), std::string::npos) << end.reason;
 }
 
 TEST(Patience, ErrorsThatAreNotFiniteAreNamed) {
