@@ -2,8 +2,7 @@
 
 #include "lib/apart.cl"
 #include "lib/bvh.cl"
-#include "lib/hash.cl"
-#include "lib/hemisphere.cl"
+#include "lib/hemisphere_rays.cl"
 #include "lib/packet.cl"
 #include "lib/surfel.cl"
 #include "shared/bvh.h"
@@ -18,25 +17,10 @@ APART static void trace_hemispheres_packet(int first, global const SurfacePencil
     int index = first_pencil + first / texels;
     global const SurfacePencil *pencil = pencils + index;
     float4 origin = (float4)(pencil->position.xyz, 0.0f);
-    float3 normal = pencil->normal.xyz, facing = pencil->facing.xyz, t, b;
-    tangent_frame(normal, &t, &b);
-
-    int column[PENCIL_WIDTH], row[PENCIL_WIDTH];
-    for (int l = 0; l < PENCIL_WIDTH; ++l) {
-        int2 texel = hemisphere_texel(first % (n * n) + l, n);
-        column[l] = texel.x;
-        row[l] = texel.y;
-    }
-    vuint u = hash_packet((vuint)(hash_uint(pencil->key + hash_uint(seed))) + PACKET_AS_UINT(first % (n * n) + PACKET_LANES));
-    vuint v = hash_packet(u) ^ shift.y;
-    u ^= shift.x;
-    vfloat a = (PACKET_TO_FLOAT(PACKET_LOAD(column)) + PACKET_UNIT(u)) * (2.0f / n) - 1.0f;
-    vfloat c = (PACKET_TO_FLOAT(PACKET_LOAD(row)) + PACKET_UNIT(v)) * (2.0f / n) - 1.0f;
-    vfloat px, py;
-    concentric_disc(a, c, &px, &py);
-    vfloat pz = sqrt(fmax(1.0f - px * px - py * py, (vfloat)(0.0f)));
-    RayPacket rays =
-        ray_packet(px * t.x + py * b.x + pz * normal.x, px * t.y + py * b.y + pz * normal.y, px * t.z + py * b.z + pz * normal.z);
+    float3 facing = pencil->facing.xyz;
+    vfloat x, y, z;
+    hemisphere_rays(pencil, first % (n * n), n, seed, shift, &x, &y, &z);
+    RayPacket rays = ray_packet(x, y, z);
     packet_trace(&rays, origin, pencil->plane, 0.0f, nodes, leaves, triangles, planes);
     vint below = PACKET_MASK(rays.x * facing.x + rays.y * facing.y + rays.z * facing.z <= 0.0f);
     rays.triangle = select(rays.triangle, (vint)(-1), below);

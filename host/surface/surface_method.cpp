@@ -289,6 +289,9 @@ std::vector<std::string> SurfaceMethod::explain() const {
             solve.krylov > 0 ? fmt::format("the rest by GMRES in {} applications", solve.krylov)
                              : std::string("the rest is a geometric series"),
             solve.spectral_radius, context_.stats.residual));
+    if (solver_ && context_.wanted(2))
+        lines.push_back(solver_->spots() > 0 ? fmt::format("bright spots: film pencils send rays of their own to {}", solver_->spots())
+                                             : "left out: rays to bright spots: rays in all directions find the light");
     if (solver_ && film_rays_ > 0 && check_length() > longest_check)
         lines.push_back("left out: check by light paths (too many reflections matter); the error is that of the spread of passes alone");
     return lines;

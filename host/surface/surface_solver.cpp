@@ -11,10 +11,13 @@
 #include "surface/emit_chains.h"
 #include "surface/emit_hemispheres.h"
 #include "surface/follow_surfels.h"
+#include "surface/guide_hemispheres.h"
 #include "surface/krylov.h"
 #include "surface/measure_hemispheres.h"
 #include "surface/project_contacts.h"
 #include "surface/sample_lights.h"
+#include "surface/share_hemispheres.h"
+#include "surface/sum_guides.h"
 #include "surface/sum_hemispheres.h"
 #include "surface/transport_irradiance.h"
 
@@ -67,7 +70,11 @@ void SurfaceSolver::solve(int map, int orders, double tolerance, std::uint64_t s
     if (!direct_ || world_.pencils().count == 0) return;  // film pencils see no reflections
     seed_ = static_cast<uint>(hash64(seed) >> 32);
     clock_.run(
-        "world pencils", [&] { world_.gather(map, seed); });
+        "world pencils",
+        [&] {
+            world_.gather(map, seed);
+            if (!spots_) look_for_spots();
+        });
     clock_.run("world bounces", [&] { iterate(orders, tolerance); });
 }
 
@@ -124,15 +131,43 @@ void SurfaceSolver::gather(SurfacePencils& pencils, int first, int count, const 
         measure_hemispheres(kernels_, surfels, 0, at, part, pencils);
         if (reach == Reach::others) approach_emitters(kernels_, scene_, surfels, at, part, lights_.near_film, pencils);
         follow(surfels);
-        emit_hemispheres(kernels_, scene_, surfels, pencils, at, lights_.near_film, outgoing);
+        const auto emit = [&] { emit_hemispheres(kernels_, scene_, surfels, pencils, at, lights_.near_film, outgoing); };
+        const bool guided = direct_ && spots_ && spots_->count > 0;
+        if (!guided) emit();
         if (direct_) light(seen_);
         if (const SurfacePencils& world = world_.pencils(); world.count > 0) {
             project_surface_pencils(kernels_, surfels, world, world.irradiance, world_.grid(), {pencils, at}, contacts_ ? nearness : 0,
                                     outgoing, contact);
             if (contacts_) gather_contacts({pencils, at}, part, points);
         }
+        if (guided) {  // texels and rays towards spots share what is reflected; emission is the texels'
+            share_hemispheres(kernels_, pencils, at, part, *spots_, points, outgoing, surfels.capacity);
+            emit();
+        }
         sum_hemispheres(kernels_, outgoing, surfels.capacity, 0, at, part, pencils.n, pencils.irradiance);
+        if (guided) gather_spots(pencils, at, part, points);
     }
+}
+
+/// Bright spots among what the world set sees.
+void SurfaceSolver::look_for_spots() {
+    Buffer<float> outgoing = surfel_rgb(kernels_.device(), world_.surfels().capacity, "radiance to the world set");
+    light(world_.surfels(), quality_.light_draws, outgoing, seed_);
+    spots_ = find_spots(kernels_.device(), world_.surfels(), outgoing, world_.spacing());
+}
+
+/// Adds what rays of these pencils towards bright spots find reflected.
+void SurfaceSolver::gather_spots(SurfacePencils& pencils, int first, int count, const TexelPoints& points) {
+    reserve(guided_, count * SPOT_RAYS);
+    auto& [surfels, outgoing, unused] = guided_;
+    if (factors_.size() < static_cast<std::size_t>(surfels.capacity))
+        factors_ = Buffer<float>(kernels_.device(), static_cast<std::size_t>(surfels.capacity), "factors of guided rays");
+    guide_hemispheres(kernels_, scene_, pencils, first, count, *spots_, points, surfels, factors_);
+    follow(surfels);
+    light(guided_);
+    const SurfacePencils& world = world_.pencils();
+    project_surface_pencils(kernels_, surfels, world, world.irradiance, world_.grid(), {pencils, first}, 0, outgoing, unused);
+    sum_guides(kernels_, outgoing, surfels.capacity, factors_, first, count, pencils.irradiance);
 }
 
 /// Light of order 2 and more to contacts among what these pencils see: one order more than the world set has in store for its readers.

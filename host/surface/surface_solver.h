@@ -1,11 +1,14 @@
 // Light of surface pencils: the world set's irradiance after all bounces, and what film pencils gather from it.
 #pragma once
 
+#include <optional>
+
 #include "device/pencil_set.h"
 #include "device/stage_clock.h"
 #include "film/bounce_series.h"
 #include "surface/follow_surfels.h"
 #include "surface/project_surface_pencils.h"
+#include "surface/spots.h"
 #include "surface/world_set.h"
 
 namespace pencil {
@@ -58,6 +61,8 @@ public:
     double residual() const { return residual_; }
     /// How the world's bounces were added up.
     const BounceSolve& bounces() const { return bounces_; }
+    /// Bright spots that film pencils send rays of their own to.
+    int spots() const { return spots_ ? spots_->count : 0; }
 
 private:
     /// Surfels that texels see, what they send, and which of them are contacts.
@@ -76,6 +81,8 @@ private:
     void solve_rest(const Buffer<float4>& last, double tolerance);
     void reserve(Gathered& gathered, int texels);
     void gather_contacts(const Viewers& viewers, int count, const TexelPoints& points);
+    void look_for_spots();
+    void gather_spots(SurfacePencils& pencils, int first, int count, const TexelPoints& points);
 
     Kernels& kernels_;
     const DeviceScene& scene_;
@@ -84,7 +91,10 @@ private:
     StageClock& clock_;
     uint seed_;
     WorldSet world_;
-    Gathered seen_, beyond_;     // of one chunk of gather(), and what its contacts see
+    Gathered seen_, beyond_;  // of one chunk of gather(), and what its contacts see
+    Gathered guided_;         // what it sees towards bright spots,
+    Buffer<float> factors_;   // and how that counts
+    std::optional<DeviceSpots> spots_;
     Buffer<float4> shorter_;     // irradiance of the world set up to one order less, if orders are limited
     bool direct_ = true;         // reflections of order 2 are part of the image
     bool contacts_ = true;       // and of order 3

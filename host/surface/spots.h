@@ -1,0 +1,41 @@
+// Bright spots: places that reflect much of the light and that few of the directions in which pencils look meet, such as the ceiling above a
+// lamp that shines up, or what the sun lights through a window. Film pencils send some rays of their own to them.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <memory>
+#include <tuple>
+#include <vector>
+
+#include "cl/buffer.h"
+#include "device/surfels.h"
+#include "shared/spot.h"
+
+namespace pencil {
+
+struct Spot {
+    glm::vec3 centre;  // [scene units]
+    float radius;      // [scene units]
+    float weight;      // light seen of it, in proportion to that of others
+};
+
+/// At most SPOTS_MOST of them, none if rays in all directions find the light well enough. `points` were met by such rays, each sends so much
+/// `light`; those closer together than `reach` [scene units] may be one spot.
+std::vector<Spot> find_spots(const std::vector<glm::vec3>& points, const std::vector<float>& light, float reach);
+
+/// The spots in device memory.
+struct DeviceSpots {
+    DeviceSpots() = default;
+    DeviceSpots(const std::shared_ptr<Device>& device, const std::vector<Spot>& found);
+    /// Arguments `spots, weights, spot_count` of kernels.
+    auto list() const { return std::tuple<const Buffer<float4>&, const Buffer<float>&, int>(spheres, weights, count); }
+
+    int count = 0;
+    Buffer<float4> spheres;
+    Buffer<float> weights;
+};
+
+/// Spots among surfels that send `radiance` [3][capacity].
+DeviceSpots find_spots(const std::shared_ptr<Device>& device, const Surfels& surfels, const Buffer<float>& radiance, float reach);
+
+}  // namespace pencil
