@@ -169,6 +169,13 @@ def cove():
           (1.5, 1.3, 1.8), (-0.3, 1, -1), body, 80)
 
 
+def uplight():
+    body = (room(0.01, (-2, 0, -2), (2, 2.4, 2), diffuse(0.6)) + floor_like(0.25, 0.25, (0.2, 2.28, -0.4), BLACK + emitter(300, 360, 330), True) +
+            box((-1.2, 0, -1.2), (-0.5, 0.9, -0.5), RED) + ball((0.6, 0.35, 0), 0.35, BLUE))
+    scene('uplight', 'A small lamp shines up at the ceiling, 12 cm above it. Hard: all light comes from a spot of the ceiling as wide as the lamp, which hides most of it.',
+          (1.5, 1.3, 1.8), (-0.3, 0.8, -1), body, 60)
+
+
 def maze():
     walls = ''.join(wall_with_hole(2 * k, 0.1, 0, 3, 2.4, (0.2, 0.9, 0, 2) if k % 2 else (2.1, 2.8, 0, 2), PLASTER if k % 3 else RED) for k in range(1, 10))
     body = (room(0.1, (0, 0, 0), (20, 2.4, 3)) + walls + floor_like(0.3, 0.3, (1, 2.38, 1.5), BLACK + emitter(300), False) +
@@ -201,7 +208,7 @@ def contacts():
 
 def main():
     OUT.mkdir(parents=True, exist_ok=True)
-    for make in (outdoor_rooms, tunnel, ground_plane, far_light, relief, thin_lamp, cove, maze, coincident, bright_room, contacts):
+    for make in (outdoor_rooms, tunnel, ground_plane, far_light, relief, thin_lamp, cove, uplight, maze, coincident, bright_room, contacts):
         make()
 
 
