@@ -10,15 +10,19 @@
 #include "shared/bvh.h"
 #include "shared/material.h"
 
+/// Share of a cone at its edge that is left out, so that rounding takes no direction out of it.
+#define GUIDE_MARGIN 2e-5f
+
 static inline float guide_unit(uint bits) { return (bits >> UNIT_SHIFT) * UNIT_STEP; }
 
 /// Direction of guided ray `number`: rays take turns among the spots, each as often as its chance says.
 static inline float3 guided_direction(const SpotView *v, int number, uint key, uint2 shift) {
-    uint turn = hash_uint(key) ^ shift.x, bits = hash_uint(key + 1 + number);
+    uint turn = hash_uint(key ^ hash_uint(shift.x)), bits = hash_uint(key + 1 + number);  // no dimension of the points decides two things
     float pick = (number + guide_unit(turn)) / SPOT_RAYS, sum = v->chance[0];
     int k = 0;
     while (k + 1 < v->count && pick >= sum) sum += v->chance[++k];
-    float rise = v->opening[k] * guide_unit(bits ^ shift.x), phi = 2.0f * M_PI_F * guide_unit(hash_uint(bits) ^ shift.y);
+    float rise = v->opening[k] * (1.0f - GUIDE_MARGIN) * guide_unit(bits ^ shift.x),
+          phi = 2.0f * M_PI_F * guide_unit(hash_uint(bits) ^ shift.y);
     float aside = sqrt(fmax(rise * (2.0f - rise), 0.0f));
     float3 t, b;
     tangent_frame(v->axis[k], &t, &b);
@@ -64,7 +68,7 @@ APART static void guide_hemispheres_packet(int first, global const SurfacePencil
 }
 
 /// launch : 1-D, one work-item per packet of PENCIL_WIDTH guided rays, SPOT_RAYS of each pencil from first_pencil on
-/// in     : pencils; n: width of the maps of their texels; spots[spot_count], their weights: what they reflect, in any unit; seed, shift: as
+/// in     : pencils; n: width of the maps of their texels; spots[spot_count], their weights: what they reflect, 1 in all; seed, shift: as
 ///          in trace_hemispheres; the scene and its hierarchy
 /// out    : surfels that the rays meet, ray k of pencil first_pencil + p at p * SPOT_RAYS + k; factors[pencil_count * SPOT_RAYS]: irradiance
 ///          of the pencil for radiance along the ray [sr], 0: the ray sees nothing

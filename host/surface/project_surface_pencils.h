@@ -8,10 +8,12 @@
 
 namespace pencil {
 
-/// Who sees the surfels: pencils of a set from `first` on, all their texels.
+/// Who sees the surfels: pencils of a set from `first` on, by all their texels or so many other rays.
 struct Viewers {
     const SurfacePencils& pencils;
     int first;
+    int rays = 0;
+    int rays_each() const { return rays > 0 ? rays : pencils.texels(); }
 };
 
 /// Adds albedo / pi times the irradiance of the pencils near each surfel to outgoing[3][capacity] [W m^-2 sr^-1], but for contacts:

@@ -32,11 +32,11 @@ struct SpotCluster {
         squares += l * glm::dot(step, step);
         light += l;
     }
-    Spot spot(float reach) const {
+    Spot spot(float reach, double all) const {
         const glm::dvec3 middle = sum / light;
         const double variance = std::max(squares / light - glm::dot(middle, middle), 0.0);
         return {first + glm::vec3(middle), std::max(spread * static_cast<float>(std::sqrt(variance)), least_radius * reach),
-                static_cast<float>(light)};
+                static_cast<float>(light / all)};
     }
 };
 
@@ -72,8 +72,10 @@ std::vector<Spot> find_spots(const std::vector<glm::vec3>& points, const std::ve
             clusters.back().add(points[i], static_cast<double>(light[i]));
         }
     }
+    const double all =
+        std::accumulate(clusters.begin(), clusters.end(), 0.0, [](double sum, const SpotCluster& c) { return sum + c.light; });
     std::vector<Spot> spots;
-    for (const SpotCluster& cluster : clusters) spots.push_back(cluster.spot(reach));
+    for (const SpotCluster& cluster : clusters) spots.push_back(cluster.spot(reach, all));
     return spots;
 }
 
@@ -96,7 +98,8 @@ DeviceSpots find_spots(const std::shared_ptr<Device>& device, const Surfels& sur
     std::vector<float> light(count);
     for (std::size_t i = 0; i < count; ++i) {
         points[i] = {x[i], x[count + i], x[2 * count + i]};
-        light[i] = std::max(rgb[i] + rgb[count + i] + rgb[2 * count + i], 0.0F);
+        const float sum = rgb[i] + rgb[count + i] + rgb[2 * count + i];
+        light[i] = std::isfinite(sum) ? std::max(sum, 0.0F) : 0.0F;
     }
     return {device, find_spots(points, light, reach)};
 }

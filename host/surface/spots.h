@@ -16,7 +16,7 @@ namespace pencil {
 struct Spot {
     glm::vec3 centre;  // [scene units]
     float radius;      // [scene units]
-    float weight;      // light seen of it, in proportion to that of others
+    float weight;      // its share of the light of all
 };
 
 /// At most SPOTS_MOST of them, none if rays in all directions find the light well enough. `points` were met by such rays, each sends so much

@@ -69,13 +69,11 @@ void SurfaceSolver::solve(int map, int orders, double tolerance, std::uint64_t s
     contacts_ = !limited_ || orders >= 3;
     if (!direct_ || world_.pencils().count == 0) return;  // film pencils see no reflections
     seed_ = static_cast<uint>(hash64(seed) >> 32);
-    clock_.run(
-        "world pencils",
-        [&] {
-            world_.gather(map, seed);
-            if (!spots_) look_for_spots();
-        });
-    clock_.run("world bounces", [&] { iterate(orders, tolerance); });
+    clock_.run("world pencils", [&] { world_.gather(map, seed); });
+    clock_.run("world bounces", [&] {
+        iterate(orders, tolerance);
+        if (!spots_) look_for_spots();  // so few orders that the world set needs no light of the samples
+    });
 }
 
 /// Room for the texels of one chunk, whose radiance becomes 0.
@@ -138,19 +136,20 @@ void SurfaceSolver::gather(SurfacePencils& pencils, int first, int count, const 
         if (const SurfacePencils& world = world_.pencils(); world.count > 0) {
             project_surface_pencils(kernels_, surfels, world, world.irradiance, world_.grid(), {pencils, at}, contacts_ ? nearness : 0,
                                     outgoing, contact);
+            // Texels and rays towards spots share what is reflected; contacts and emission are left to texels.
+            if (guided) share_hemispheres(kernels_, pencils, at, part, *spots_, points, outgoing, surfels.capacity);
             if (contacts_) gather_contacts({pencils, at}, part, points);
         }
-        if (guided) {  // texels and rays towards spots share what is reflected; emission is the texels'
-            share_hemispheres(kernels_, pencils, at, part, *spots_, points, outgoing, surfels.capacity);
-            emit();
-        }
+        if (guided) emit();
         sum_hemispheres(kernels_, outgoing, surfels.capacity, 0, at, part, pencils.n, pencils.irradiance);
         if (guided) gather_spots(pencils, at, part, points);
     }
 }
 
-/// Bright spots among what the world set sees.
+/// Bright spots among what the world set sees, where no bounce has looked for them.
 void SurfaceSolver::look_for_spots() {
+    spots_.emplace();
+    if (lights_.samples.maps.count == 0) return;
     Buffer<float> outgoing = surfel_rgb(kernels_.device(), world_.surfels().capacity, "radiance to the world set");
     light(world_.surfels(), quality_.light_draws, outgoing, seed_);
     spots_ = find_spots(kernels_.device(), world_.surfels(), outgoing, world_.spacing());
@@ -159,14 +158,15 @@ void SurfaceSolver::look_for_spots() {
 /// Adds what rays of these pencils towards bright spots find reflected.
 void SurfaceSolver::gather_spots(SurfacePencils& pencils, int first, int count, const TexelPoints& points) {
     reserve(guided_, count * SPOT_RAYS);
-    auto& [surfels, outgoing, unused] = guided_;
+    auto& [surfels, outgoing, contact] = guided_;
     if (factors_.size() < static_cast<std::size_t>(surfels.capacity))
         factors_ = Buffer<float>(kernels_.device(), static_cast<std::size_t>(surfels.capacity), "factors of guided rays");
     guide_hemispheres(kernels_, scene_, pencils, first, count, *spots_, points, surfels, factors_);
     follow(surfels);
     light(guided_);
     const SurfacePencils& world = world_.pencils();
-    project_surface_pencils(kernels_, surfels, world, world.irradiance, world_.grid(), {pencils, first}, 0, outgoing, unused);
+    project_surface_pencils(kernels_, surfels, world, world.irradiance, world_.grid(), {pencils, first, SPOT_RAYS},
+                            contacts_ ? nearness : 0, outgoing, contact);
     sum_guides(kernels_, outgoing, surfels.capacity, factors_, first, count, pencils.irradiance);
 }
 
@@ -197,7 +197,10 @@ void SurfaceSolver::sum_light(bool emission, bool direct, Buffer<float4>& irradi
     const SurfacePencils& pencils = world_.pencils();
     Buffer<float> outgoing = surfel_rgb(kernels_.device(), world_.surfels().capacity, "radiance to the world set");
     if (emission) emit_hemispheres(kernels_, scene_, world_.surfels(), world_.starts(), 0, lights_.near_texel, outgoing);
-    if (direct) light(world_.surfels(), quality_.light_draws, outgoing, seed_);
+    if (direct) {
+        light(world_.surfels(), quality_.light_draws, outgoing, seed_);
+        if (!spots_) spots_ = find_spots(kernels_.device(), world_.surfels(), outgoing, world_.spacing());
+    }
     sum_hemispheres(kernels_, outgoing, world_.surfels().capacity, 0, 0, pencils.count, world_.map(), irradiance);
 }
 

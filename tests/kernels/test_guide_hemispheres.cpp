@@ -47,7 +47,7 @@ Irradiance irradiance(const std::vector<SurfacePencil>& placed, const std::vecto
     Buffer<float> factors(device(), static_cast<std::size_t>(guided.capacity), "factors");
     Irradiance out{std::vector<double>(placed.size(), 0.0), std::vector<double>(placed.size(), 0.0)};
     for (int turn = 0; turn < turns; ++turn) {
-        const TexelPoints points{static_cast<uint>(turn + 5)};
+        const TexelPoints points{5, static_cast<uint>(turn)};
         trace_hemispheres(kernels, on_device, pencils, 0, count, points, seen);
         Buffer<float> radiance = radiance_of(seen);
         if (spots.count > 0) share_hemispheres(kernels, pencils, 0, count, spots, points, radiance, seen.capacity);
@@ -73,10 +73,10 @@ TEST(GuideHemispheres, KeepsTheMeanAndTakesTheNoise) {
     constexpr int turns = 512;
     const Irradiance texels = irradiance(placed, {}, 4 * turns);
     // Spots where the light is, beside it, behind some of the pencils, and around one of them.
-    const std::vector<Spot> spots{{{0.75F, 0.2F, 0.1F}, 0.15F, 5.0F},
-                                  {{0.75F, 0.4F, 0.1F}, 0.1F, 1.0F},
-                                  {{-0.75F, -0.7F, 0.0F}, 0.01F, 1.0F},
-                                  {glm::vec3(xyz(placed[2].position)), 0.3F, 3.0F}};
+    const std::vector<Spot> spots{{{0.75F, 0.2F, 0.1F}, 0.15F, 5.0F},   {{0.75F, 0.4F, 0.1F}, 0.1F, 1.0F},
+                                  {{-0.75F, -0.7F, 0.0F}, 0.01F, 1.0F}, {glm::vec3(xyz(placed[2].position)), 0.3F, 3.0F},
+                                  {{0.7F, 0.25F, 0.1F}, 0.1F, 0.2F},    {{0.0F, 0.75F, 0.0F}, 0.2F, 0.3F},
+                                  {{0.0F, -0.75F, 0.0F}, 0.2F, 0.1F},   {{0.0F, 0.0F, 0.75F}, 0.2F, 0.05F}};
     const Irradiance guided = irradiance(placed, spots, turns);
     double before = 0, after = 0;
     for (std::size_t p = 0; p < placed.size(); ++p) {
