@@ -223,9 +223,14 @@ const LayerMean& SurfaceMethod::shown(LayerMean& copy) const {
 
 bool SurfaceMethod::spreads_outliers() const { return context_.kernels.features().lobes && context_.scene.sensor_points.empty(); }
 
-double SurfaceMethod::error_of(const LayerMean& mean, const CertifiedError& certified) const {
+double SurfaceMethod::spread_of(const LayerMean& mean) const {
     if (mean.count() == 0 || !context_.stats.bounce_solve.has_sum) return std::numeric_limits<double>::infinity();
-    const double error = join_errors(caution(mean.count()) * mean.relative_mean_square_error(), certified);
+    return caution(mean.count()) * mean.relative_mean_square_error();
+}
+
+double SurfaceMethod::error_of(double spread, const CertifiedError& certified) const {
+    if (mean_.count() == 0 || !context_.stats.bounce_solve.has_sum) return std::numeric_limits<double>::infinity();
+    const double error = join_errors(spread, certified);
     return std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
 }
 
@@ -236,7 +241,7 @@ CertifiedError SurfaceMethod::certify(const LayerMean& mean) const {
 double SurfaceMethod::estimated_error() const {
     LayerMean copy;
     const LayerMean& mean = shown(copy);
-    return error_of(mean, certify(mean));
+    return error_of(spread_of(mean), certify(mean));
 }
 
 CertifiedError SurfaceMethod::certified_error() const {
@@ -256,12 +261,12 @@ bool SurfaceMethod::enough(double pace) {
     LayerMean copy;
     const LayerMean& mean = shown(copy);
     const CertifiedError certified = certify(mean);
-    const double error = error_of(mean, certified);
+    const double spread = spread_of(mean), error = error_of(spread, certified);
     if (mean_.count() >= 2) clock.set_fraction(std::min(options.target_error / error, 1.0));
     CertifiedError at_least = certified;
     at_least.relmse -= 2 * certified.standard_error;
     const Patience::Answer answer =
-        patience_.ask({index_, error, error_of(mean, at_least), student(mean_.count()) * mean_.mean_standard_error(), certified});
+        patience_.ask({index_, error, error_of(spread, at_least), student(mean_.count()) * mean_.mean_standard_error(), certified});
     if (answer.reason) context_.stats.warnings.push_back(*answer.reason);
     return answer.enough;
 }

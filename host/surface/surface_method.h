@@ -42,7 +42,8 @@ private:
     bool enough(double pace);
     const LayerMean& shown(LayerMean& copy) const;
     bool spreads_outliers() const;
-    double error_of(const LayerMean& mean, const CertifiedError& certified) const;
+    double spread_of(const LayerMean& mean) const;
+    double error_of(double spread, const CertifiedError& certified) const;
     CertifiedError certify(const LayerMean& mean) const;
     SurfacePass pass(int index) const;
     SurfacePencils seeds(const FilmPixels& pixels) const;

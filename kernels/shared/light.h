@@ -23,8 +23,8 @@ typedef struct LightSample {
                  // units^2], of infinitely far light the solid angle it stands for [sr]
     float4
         emission;  // rgb: radiance times that area (area emitter), radiant intensity (point light, on the axis of a spot), in scene units, or
-    // irradiance (infinitely far); w: plane of the emitter as a float, or -1; of a spot: angle where it ends [radian], of a profile: first
-    // texel of its table
+        // irradiance (infinitely far); w: plane of the emitter as a float, or -1; of a spot: angle where it ends [radian], of a profile: first
+        // texel of its table
     //------------------------------------------------- 48 B
 } LightSample;
 PENCIL_SHARED_TYPE(LightSample)

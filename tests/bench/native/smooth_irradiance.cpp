@@ -8,7 +8,7 @@ namespace {
 constexpr int smooth_reach = 3;
 constexpr float slope_hold = 1e-3F;
 
-/// LineSums of weights, of (s, u) and the irradiance, and of their products.
+/// Sums of weights, of (s, u) and the irradiance, and of their products.
 struct LineSums {
     float w = 0, ws = 0, wu = 0, wss = 0, wsu = 0, wuu = 0;
     float4v e{}, es{}, eu{};
