@@ -22,7 +22,8 @@ struct RenderCommand {
     std::vector<std::filesystem::path> outputs;
     RenderOptions options;
     std::string device;
-    std::filesystem::path stats;  // empty: none
+    std::filesystem::path stats;               // empty: none
+    std::filesystem::path checkpoint, resume;  // empty: none
     bool explain = false, quiet = false;
 };
 

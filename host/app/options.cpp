@@ -23,6 +23,11 @@ Option path_row(const std::string& flag, const std::string& value, std::filesyst
     return {flag, value, "", "", help, "", [&path](const std::string& text) { path = text; }, {}};
 }
 
+Option surface_row(Option row) {
+    row.method = "surface";
+    return row;
+}
+
 Option required(Option row) {
     row.required = true;
     return row;
@@ -137,7 +142,11 @@ std::vector<Option> option_table(RenderCommand& command) {
     rows.push_back(output_row(command.outputs));
     append(rows, render_option_table(command.options));
     append(rows,
-           {device_row(command.device), path_row("--stats", "FILE", command.stats, "Write times, launches, residual and decisions as JSON"),
+           {device_row(command.device), surface_row(path_row("--checkpoint", "FILE", command.checkpoint,
+                                                              "Keep FILE such that a killed render can go on from it; at most 2 % of the time")),
+            surface_row(path_row("--resume", "FILE", command.resume,
+                                 "Go on from a checkpoint of the same render; --time and --target-error may ask for more than it did")),
+            path_row("--stats", "FILE", command.stats, "Write times, launches, residual and decisions as JSON"),
             switch_row("--explain", command.explain, "Print what was decided and what was left out, and why"), quiet_row(command.quiet)});
     return rows;
 }

@@ -24,10 +24,10 @@ bool same_file(const fs::path& a, const fs::path& b) {
     return !error && canonical_a == canonical_b;
 }
 
-void check_outputs(const std::vector<fs::path>& images, const fs::path& stats, const fs::path& scene) {
+void check_outputs(const std::vector<fs::path>& images, const std::vector<fs::path>& others, const fs::path& scene) {
     std::vector<fs::path> files = images;
     for (const fs::path& file : files) image_format(file);
-    if (!stats.empty()) files.push_back(stats);
+    std::copy_if(others.begin(), others.end(), std::back_inserter(files), [](const fs::path& file) { return !file.empty(); });
     for (auto file = files.begin(); file != files.end(); ++file) {
         if (same_file(*file, scene)) throw OutputError("cannot write " + file->string() + ": it is the scene");
         if (std::any_of(files.begin(), file, [&](const fs::path& earlier) { return same_file(earlier, *file); }))

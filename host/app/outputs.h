@@ -13,8 +13,8 @@ namespace pencil {
 bool same_file(const std::filesystem::path& a, const std::filesystem::path& b);
 
 /// UsageError for an extension that cannot be written; OutputError for a folder that cannot be written to, a file named twice, or one that
-/// is the scene. `stats` may be empty.
-void check_outputs(const std::vector<std::filesystem::path>& images, const std::filesystem::path& stats,
+/// is the scene. Of `others`, files that are no images, some may be empty.
+void check_outputs(const std::vector<std::filesystem::path>& images, const std::vector<std::filesystem::path>& others,
                    const std::filesystem::path& scene);
 
 struct WrittenImages {

@@ -91,7 +91,7 @@ ExitCode run_reference(const ReferenceCommand& command) {
     const Stopwatch total;
     ReferenceReport report;
     set_quiet(command.quiet);
-    check_outputs(command.outputs, command.stats, command.scene);
+    check_outputs(command.outputs, {command.stats}, command.scene);
     const Scene scene = load_scene(command.scene, command.load);
     report.load_seconds = total.seconds();
     add_warnings(report, scene.warnings);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <chrono>
 #include <iostream>
+#include <set>
 
 #include "app/commands.h"
 #include "app/interrupt.h"
@@ -9,6 +10,7 @@
 #include "app/outputs.h"
 #include "app/run_report.h"
 #include "render/photometric_layers.h"
+#include "render/render.h"
 #include "render/render_session.h"
 #include "scene/formats/load_scene.h"
 #include "scene/scene_fingerprint.h"
@@ -45,7 +47,15 @@ RenderResult render_with_progress(const Scene& scene, const RenderCommand& comma
         display.update(stage, fraction);
         return interrupted_by() == 0;
     };
-    return render(scene, report.options, device, progress);
+    RenderCare care{command.checkpoint, command.resume, {}};
+    // A device that was asked for by name is not replaced by another.
+    std::set<int> failed;
+    if (command.device.empty())
+        care.next_device = [&failed](const Device& one) {
+            failed.insert(one.info().index);
+            return Device::open_another(failed);
+        };
+    return render(scene, report.options, device, progress, care);
 }
 
 void take_result(RunReport& report, const RenderResult& result, Device& device) {
@@ -53,8 +63,8 @@ void take_result(RunReport& report, const RenderResult& result, Device& device) 
     report.stats = result.stats;
     report.width = result.width;
     report.height = result.height;
-    report.interrupted = result.interrupted;
-    report.launches = device.launch_times();
+    report.interrupted = result.interrupted || !result.failure.empty();
+    if (result.failure.empty()) report.launches = device.launch_times();  // a failed device has no more to say
     report.kernel_build_seconds = device.build_seconds();
     for (const Layer& layer : result.layers)
         if (!layer.name.empty()) report.layers.push_back(layer.name);
@@ -77,7 +87,7 @@ ExitCode run_render(const RenderCommand& command) {
     const Stopwatch total;
     RunReport report;
     set_quiet(command.quiet);
-    check_outputs(command.outputs, command.stats, command.scene);
+    check_outputs(command.outputs, {command.stats, command.checkpoint}, command.scene);
     const Scene scene = timed(report, "load scene", [&] { return load_scene(command.scene, command.load); });
     add_warnings(report, scene.warnings);
     report.scene_fingerprint = scene_fingerprint(scene);
@@ -106,6 +116,10 @@ ExitCode run_render(const RenderCommand& command) {
     if (!command.stats.empty()) write_stats(command.stats, report, command);
     if (command.explain) print_explanation(std::cout, report);
     if (!command.quiet) print_summary(std::cout, report, written);
+    if (!result.failure.empty()) {
+        print_error(result.failure + "; what was finished is written", LineBreaks::keep);
+        return ExitCode::device;
+    }
     if (report.interrupted) {
         print_error(interruption(written));
         return ExitCode::interrupted;

@@ -70,6 +70,14 @@ std::vector<glm::dvec3> ErrorCheck::estimate(const Film& film, const std::vector
     return values;
 }
 
+void ErrorCheck::transfer(Archive& archive, std::size_t pixels) {
+    archive(points_, emission_, weight_, half_done_);
+    if (!archive.reads()) return;
+    Archive::expect(emission_.empty() || emission_.size() == 3 * pixels, "the emission has another size");
+    for (const std::vector<Point>* points : {&points_, &half_done_})
+        for (const Point& p : *points) Archive::expect(p.pixel < pixels, "a check lies outside the image");
+}
+
 void ErrorCheck::add_emission(const std::vector<float>& emission, double weight) {
     emission_.resize(emission.size(), 0.0);
     for (std::size_t i = 0; i < emission.size(); ++i) emission_[i] += weight * static_cast<double>(emission[i]);
@@ -88,15 +96,12 @@ void ErrorCheck::add(const Film& film, int paths, std::uint64_t seed) {
         pixels.push_back(y * static_cast<std::size_t>(film.width()) + x);
     }
     const std::vector<glm::dvec3> values = estimate(film, pixels, each, seed);
-    for (std::size_t i = 0; i < half_done_.size(); ++i) points_.push_back({pixels[i], half_done_[i].first, values[i]});
-    const bool only_film = points_.empty();
     const std::size_t begin = half_done_.size();
+    std::vector<glm::dvec3> second(pixels.size() - begin, glm::dvec3(0));
+    if (points_.empty() && begin == 0) second = estimate(film, pixels, each, hash64(seed));  // there is but this film
+    for (std::size_t i = 0; i < begin; ++i) points_.push_back({pixels[i], half_done_[i].first, values[i]});
     half_done_.clear();
-    for (std::size_t i = begin; i < pixels.size(); ++i) half_done_.push_back({pixels[i], values[i], glm::dvec3(0)});
-    if (!only_film) return;
-    const std::vector<std::size_t> again(pixels.begin() + static_cast<std::ptrdiff_t>(begin), pixels.end());
-    const std::vector<glm::dvec3> second = estimate(film, again, each, hash64(seed));
-    for (std::size_t i = 0; i < again.size(); ++i) half_done_[i].second = second[i];
+    for (std::size_t i = begin; i < pixels.size(); ++i) half_done_.push_back({pixels[i], values[i], second[i - begin]});
 }
 
 double join_errors(double spread, const CertifiedError& certified) {

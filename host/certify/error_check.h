@@ -10,6 +10,7 @@
 #include "certify/trace_checks.h"
 #include "film/film.h"
 #include "film/render_context.h"
+#include "util/archive.h"
 
 namespace pencil {
 
@@ -30,6 +31,9 @@ public:
 
     /// Of `beauty`, rgb per pixel, against all that was looked at so far.
     CertifiedError certify(const std::vector<float>& beauty, const std::vector<float>& usual) const;
+
+    /// All that was looked at; ArchiveError unless it is of a film of `pixels` pixels.
+    void transfer(Archive& archive, std::size_t pixels);
 
 private:
     struct Point {

@@ -22,7 +22,10 @@ BufferStorage::BufferStorage(std::shared_ptr<Device> device, std::size_t bytes, 
     device_->reserve(allocated_bytes(bytes_), what_);
     try {
         buffer_ = cl_call([&] { return "allocating " + format_bytes(bytes_) + " for " + what_ + " on " + device_->info().name; },
-                          [&] { return cl::Buffer(device_->context(), CL_MEM_READ_WRITE, allocated_bytes(bytes_)); });
+                          [&] {
+                              device_->allocation_may_fail();
+                              return cl::Buffer(device_->context(), CL_MEM_READ_WRITE, allocated_bytes(bytes_));
+                          });
     } catch (...) {
         device_->release(allocated_bytes(bytes_));
         throw;

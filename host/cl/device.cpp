@@ -43,6 +43,16 @@ std::shared_ptr<Device> Device::open(const std::string& selector) {
                    [&] { return std::shared_ptr<Device>(new Device(chosen.handle, chosen.info)); });
 }
 
+std::shared_ptr<Device> Device::open_another(const std::set<int>& but) {
+    std::vector<FoundDevice> found = find_devices();
+    std::stable_partition(found.begin(), found.end(), [](const FoundDevice& device) { return !device.info.is_cpu; });
+    for (const FoundDevice& device : found)
+        if (but.count(device.info.index) == 0)
+            return cl_call([&] { return "opening OpenCL device " + device.info.name; },
+                           [&] { return std::shared_ptr<Device>(new Device(device.handle, device.info)); });
+    return nullptr;
+}
+
 Device::Device(cl::Device device, DeviceInfo info)
     : device_(std::move(device)),
       info_(std::move(info)),

@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "cl/faults.h"
 #include "cl/opencl.h"
 #include "util/launch_times.h"
 
@@ -37,6 +39,9 @@ public:
     /// DeviceError if nothing matches, listing what exists.
     static std::shared_ptr<Device> open(const std::string& selector);
 
+    /// The first other device, GPUs first; null if there is none.
+    static std::shared_ptr<Device> open_another(const std::set<int>& but);
+
     const DeviceInfo& info() const { return info_; }
     const cl::Context& context() const { return context_; }
     cl::CommandQueue& queue() { return queue_; }
@@ -47,6 +52,10 @@ public:
     int packet_width() const;
     /// Work-items per work-group for packet kernels; fixed, because PoCL generates code per local size.
     std::size_t local_size() const;
+
+    /// Throws what $PENCIL_FAULT asks for at the next launch or allocation (cl/faults.h).
+    void launch_may_fail() { faults_.at_launch(); }
+    void allocation_may_fail() { faults_.at_allocation(); }
 
     /// Bookkeeping of planned allocation. `reserve` throws MemoryError, saying what for and how much is free, before anything is allocated.
     void reserve(std::uint64_t bytes, const std::string& what);
@@ -79,6 +88,7 @@ private:
     std::uint64_t allocated_ = 0, peak_ = 0;
     double build_seconds_ = 0;
     std::map<std::string, cl::Program> programs_;
+    Faults faults_;
     std::vector<std::pair<std::string, cl::Event>> pending_;
     std::map<std::string, LaunchTimes> times_;
 };

@@ -90,6 +90,7 @@ void Launch::enqueue(const cl::NDRange& global, const cl::NDRange& local, const 
     const bool large = std::max(global.get()[0], global_y) >= large_grid;
     const bool first = compiled_->sizes.emplace(local.get()[0], local_y, large).second;
     cl_call(doing, [&] {
+        device_->launch_may_fail();
         if (first) device_->queue().finish();
         const auto start = std::chrono::steady_clock::now();
         cl::Event event;

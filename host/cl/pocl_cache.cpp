@@ -9,17 +9,13 @@
 #include <mutex>
 #include <string>
 
+#include "util/environment.h"
 #include "util/log.h"
 
 namespace pencil {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string environment(const char* name) {
-    const char* value = std::getenv(name);
-    return value ? value : "";
-}
 
 // PoCL's own rule (using.rst): an empty variable counts as unset; without HOME it takes /tmp/pocl.
 fs::path default_cache() {

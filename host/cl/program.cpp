@@ -12,6 +12,7 @@
 
 #include "cl/cl_error.h"
 #include "cl/kernel_source.h"
+#include "util/environment.h"
 #include "util/error.h"
 #include "util/log.h"
 
@@ -28,11 +29,6 @@ constexpr const char* prelude =
     "#pragma clang diagnostic ignored \"-Wpsabi\"\n"
     "#endif\n"
     "#endif\n";
-
-std::string environment(const char* name) {
-    const char* value = std::getenv(name);
-    return value ? value : "";
-}
 
 // Options are split at blanks by the driver, so a blank in a value would silently become another option.
 std::string build_options(const Defines& defines) {

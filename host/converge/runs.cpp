@@ -8,7 +8,7 @@
 #include "converge/methods.h"
 #include "image/write_image.h"
 #include "reference/path_tracer.h"
-#include "render/render_session.h"
+#include "render/render.h"
 #include "scene/scene_fingerprint.h"
 #include "util/stopwatch.h"
 

@@ -43,7 +43,9 @@ public:
 
     void set_fraction(double fraction) { fraction_ = fraction; }
     /// Since the start, but for building kernels: that is the driver's time, and none once its cache is warm.
-    double seconds() const { return watch_.seconds() - (device_->build_seconds() - built_before_); }
+    double seconds() const { return earlier_ + watch_.seconds() - (device_->build_seconds() - built_before_); }
+    /// The render began so many seconds earlier.
+    void go_on_after(double seconds) { earlier_ = seconds; }
     const std::vector<StageTime>& stages() const { return stages_; }
 
 private:
@@ -61,6 +63,7 @@ private:
     std::shared_ptr<Device> device_;
     Progress progress_;
     double built_before_;  // seconds of kernel builds for earlier renders on the device
+    double earlier_ = 0;   // seconds that the render took before it was interrupted
     Stopwatch watch_;
     std::string stage_;
     double fraction_ = 0;

@@ -193,6 +193,20 @@ void LayerMean::append_error(std::vector<Layer>& layers) const {
     layers.push_back(std::move(error));
 }
 
+void LayerMean::transfer(Archive& archive, std::size_t pixels) {
+    archive(count_, weight_, mean_, first_, of_, of_set_, generation_, weights_, now_, before_, last_square_);
+    if (!archive.reads()) return;
+    for (const Layer& layer : mean_)
+        Archive::expect(layer.channels > 0 && layer.pixels.size() == pixels * static_cast<std::size_t>(layer.channels), "a layer has another size");
+    Archive::expect(count_ >= 0 && (count_ > 0) == !mean_.empty() && !weights_.empty(), "no mean of images");
+    Archive::expect(mean_.empty() ? first_.empty() : mean_.front().pixels.size() == first_.size() && first_.size() == 3 * pixels, "no beauty");
+    const auto check = [&](const Sum& sum) {
+        Archive::expect(sum.value.size() == (sum.weight == 0 ? 0 : first_.size()), "a sum of images has another size");
+    };
+    for (const Sums* sums : {&of_, &of_set_}) std::for_each(sums->begin(), sums->end(), check);
+    for (const Halves* halves : {&now_, &before_}) std::for_each(halves->begin(), halves->end(), check);
+}
+
 std::vector<Layer> LayerMean::take() {
     append_error(mean_);
     count_ = 0;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "options/layer.h"
+#include "util/archive.h"
 
 namespace pencil {
 
@@ -40,12 +41,16 @@ public:
     /// behind.
     std::vector<Layer> take();
 
+    /// All of it; ArchiveError unless it is a mean of images of `pixels` pixels.
+    void transfer(Archive& archive, std::size_t pixels);
+
 private:
     /// Sum of some images: their weight, and weight * beauty, beauty less the first image's.
     struct Sum {
         double weight = 0;
         std::vector<float> value;
         void add(const std::vector<float>& beauty, const std::vector<float>& first, double image_weight);
+        void transfer(Archive& archive) { archive(weight, value); }
     };
     using Sums = std::array<Sum, sequences>;
     using Halves = std::array<Sum, 2>;  // even and odd sequences

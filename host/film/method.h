@@ -10,6 +10,7 @@
 #include "options/render_result.h"
 #include "pencils/flat_scene.h"
 #include "shared/weights.h"
+#include "util/archive.h"
 #include "visibility/visibility_path.h"
 
 namespace pencil {
@@ -38,6 +39,10 @@ public:
     virtual double estimated_error() const { return std::numeric_limits<double>::infinity(); }
     /// What a check by light paths says of it; nothing if there was none.
     virtual CertifiedError certified_error() const { return {}; }
+    /// Whether the method can go on where another one stopped after a step: then transfer() names all that the next step needs of those before.
+    /// A method that has read it must not have made a step. ArchiveError.
+    virtual bool resumable() const { return false; }
+    virtual void transfer(Archive&) {}
     /// Decisions and what was left out, one sentence each.
     virtual std::vector<std::string> explain() const = 0;
 };

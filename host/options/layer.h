@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "util/archive.h"
+
 namespace pencil {
 
 /// One layer; rows from the top, channels interleaved.
@@ -11,6 +13,8 @@ struct Layer {
     std::string name;  // "" is the beauty; otherwise "direct", "bounce2", "albedo", "normal", "depth", "position" ...
     int channels = 3;
     std::vector<float> pixels;
+
+    void transfer(Archive& archive) { archive(name, channels, pixels); }
 };
 
 constexpr const char* emission_layer = "emission";

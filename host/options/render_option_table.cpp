@@ -118,12 +118,14 @@ struct Spell {
 
 }  // namespace
 
+std::string spelled(const OptionValue& value) { return std::visit(Spell(), value); }
+
 void check_options(RenderOptions options) {
     for (const Option& row : render_option_table(options)) {
         const OptionValue value = row.show();
         if (std::holds_alternative<std::monostate>(value)) continue;
         try {
-            row.read(std::visit(Spell(), value));
+            row.read(spelled(value));
         } catch (const std::invalid_argument& error) {
             throw UsageError(fmt::format("{}: {}", row.flag, error.what()));
         }

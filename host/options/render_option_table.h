@@ -12,6 +12,9 @@ std::vector<Option> render_option_table(RenderOptions& options);
 /// --lumens-per-watt.
 Option lumens_row(double& lumens_per_watt);
 
+/// A value as the command line would spell it.
+std::string spelled(const OptionValue& value);
+
 /// UsageError if a value is none that its row accepts: for options that no command line has read.
 void check_options(RenderOptions options);
 

@@ -65,6 +65,7 @@ struct RenderStats {
     std::uint64_t blind_surfels = 0;   // film surfels that no pencil of the first set sees
     std::vector<std::string> explain;  // decisions and what was left out, one sentence each
     std::vector<std::string> warnings;
+    std::string stopped;  // why passes ended before --target-error was met; empty: they did not
 };
 
 struct RenderResult {
@@ -72,6 +73,7 @@ struct RenderResult {
     std::vector<Layer> layers;  // beauty first
     RenderStats stats;
     bool interrupted = false;  // stopped early: the layers hold what was finished
+    std::string failure;       // so they do where the device failed, as this says
 };
 
 /// Called between launches; `fraction` in [0, 1] of the whole. Return false to stop early.

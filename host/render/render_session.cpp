@@ -10,9 +10,8 @@
 #include "options/scale_light.h"
 #include "render/explain.h"
 #include "render/methods.h"
-#include "render/photometric_layers.h"
+#include "util/archive.h"
 #include "util/error.h"
-#include "util/stopwatch.h"
 
 namespace pencil {
 
@@ -74,7 +73,9 @@ RenderSession::~RenderSession() = default;
 bool RenderSession::advance() {
     if (ended_) return false;
     try {
-        ended_ = !method_->advance() || context_->clock.stopped();
+        complete_ = !method_->advance();
+        has_step_ = true;
+        ended_ = complete_ || context_->clock.stopped();
     } catch (const Stopped&) {
         ended_ = true;
     } catch (...) {
@@ -82,6 +83,33 @@ bool RenderSession::advance() {
         throw;
     }
     return !ended_;
+}
+
+
+bool RenderSession::resumable() const { return method_->resumable(); }
+
+std::vector<char> RenderSession::save() {
+    if (!method_->resumable()) throw UsageError("--method " + to_string(context_->options.method) + " cannot go on from a checkpoint");
+    Archive archive;
+    RenderOptions until = context_->options;
+    archive(complete_, until.target_error, until.seconds);
+    method_->transfer(archive);
+    return archive.take();
+}
+
+void RenderSession::resume(std::vector<char> state) {
+    if (!method_->resumable()) throw UsageError("--method " + to_string(context_->options.method) + " cannot go on from a checkpoint");
+    Archive archive(std::move(state));
+    RenderOptions until;
+    archive(complete_, until.target_error, until.seconds);
+    try {
+        method_->transfer(archive);
+    } catch (...) {
+        ended_ = true;
+        throw;
+    }
+    has_step_ = true;
+    ended_ = complete_ && until.target_error == context_->options.target_error && until.seconds == context_->options.seconds;
 }
 
 std::vector<Layer> RenderSession::snapshot() const {
@@ -96,6 +124,7 @@ const RenderOptions& RenderSession::options() const { return context_->options; 
 RenderStats RenderSession::stats() const {
     RenderStats stats = context_->stats;
     for (BounceReport& bounce : stats.bounces) bounce.mean *= context_->flat.normalisation.light;
+    if (!stats.stopped.empty()) stats.warnings.push_back(stats.stopped);
     stats.explain = explain(*context_);
     const std::vector<std::string> own = method_->explain();
     stats.explain.insert(stats.explain.end(), own.begin(), own.end());
@@ -117,29 +146,6 @@ RenderResult RenderSession::finish() {
     result.width = context_->options.width;
     result.height = context_->options.height;
     result.interrupted = interrupted();
-    return result;
-}
-
-RenderResult render(const Scene& scene, const RenderOptions& options, const std::shared_ptr<Device>& device, const Progress& progress) {
-    const auto solve = [&](const RenderOptions& asked) {
-        RenderSession session(scene, asked, device, progress);
-        while (session.advance()) {
-        }
-        return session.finish();
-    };
-    RenderResult result = solve(options);
-    const auto solve_irradiance = [&] {
-        if (result.interrupted) return IrradianceImage{{}, {}, true, true};
-        const Stopwatch watch;
-        RenderResult found = solve(irradiance_options(options));
-        result.stats.stages.push_back({illuminance_layer, watch.seconds(), 0, 0, {}});
-        return IrradianceImage{std::move(found.layers), std::move(found.stats.warnings), found.interrupted, found.stats.converged};
-    };
-    const IrradianceImage irradiance =
-        add_photometric_layers(options.aovs, resolve(options, scene).lumens_per_watt, solve_irradiance, result.layers);
-    result.stats.warnings.insert(result.stats.warnings.end(), irradiance.warnings.begin(), irradiance.warnings.end());
-    result.stats.converged = result.stats.converged && irradiance.converged;
-    result.interrupted = result.interrupted || irradiance.interrupted;
     return result;
 }
 

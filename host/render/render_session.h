@@ -38,16 +38,25 @@ public:
     bool interrupted() const;
 
     const RenderOptions& options() const;  // resolved
+
+    bool resumable() const;
+    /// A step was finished, here or by the session that this one goes on from.
+    bool has_step() const { return has_step_; }
+    /// What another session of the same scene and options needs to go on from the last finished step, of which there must be one. UsageError
+    /// for a method whose steps do not stand alone.
+    std::vector<char> save();
+    /// Goes on from there, before any step: further steps give what they would have given there. Options may ask for more time or a smaller
+    /// error. ArchiveError if it is nothing that save() gave; the session is of no use then.
+    void resume(std::vector<char> state);
+
     /// Layers and stats; the session ends here.
     RenderResult finish();
 
 private:
     std::unique_ptr<RenderContext> context_;
     std::unique_ptr<Method> method_;
-    bool ended_ = false;
+    bool ended_ = false, complete_ = false;  // by itself
+    bool has_step_ = false;
 };
-
-/// All steps of a session, and photometric layers if they are asked for: illuminance is a session of its own.
-RenderResult render(const Scene& scene, const RenderOptions& options, const std::shared_ptr<Device>& device, const Progress& progress = {});
 
 }  // namespace pencil

@@ -3,7 +3,7 @@
 
 #include "options/render_options.h"
 #include "reference/path_tracer.h"
-#include "render/render_session.h"
+#include "render/render.h"
 #include "scene/scene.h"
 #include "stress/stress_case.h"
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "certify/error_check.h"
+#include "util/archive.h"
 
 namespace pencil {
 
@@ -30,6 +31,8 @@ public:
         std::optional<std::string> reason;
     };
     Answer ask(const PassesSoFar& so_far);
+
+    void transfer(Archive& archive) { archive(error_passes_, last_error_); }
 
 private:
     bool knows_the_mean(const PassesSoFar& so_far) const;

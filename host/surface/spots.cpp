@@ -79,7 +79,8 @@ std::vector<Spot> find_spots(const std::vector<glm::vec3>& points, const std::ve
     return spots;
 }
 
-DeviceSpots::DeviceSpots(const std::shared_ptr<Device>& device, const std::vector<Spot>& found) : count(static_cast<int>(found.size())) {
+DeviceSpots::DeviceSpots(const std::shared_ptr<Device>& device, const std::vector<Spot>& spots)
+    : count(static_cast<int>(spots.size())), found(spots) {
     if (found.empty()) return;
     std::vector<float4> places;
     std::vector<float> of_each;

@@ -26,11 +26,12 @@ std::vector<Spot> find_spots(const std::vector<glm::vec3>& points, const std::ve
 /// The spots in device memory.
 struct DeviceSpots {
     DeviceSpots() = default;
-    DeviceSpots(const std::shared_ptr<Device>& device, const std::vector<Spot>& found);
+    DeviceSpots(const std::shared_ptr<Device>& device, const std::vector<Spot>& spots);
     /// Arguments `spots, weights, spot_count` of kernels.
     auto list() const { return std::tuple<const Buffer<float4>&, const Buffer<float>&, int>(spheres, weights, count); }
 
     int count = 0;
+    std::vector<Spot> found;
     Buffer<float4> spheres;
     Buffer<float> weights;
 };

@@ -26,10 +26,6 @@ constexpr double rays_per_check = 32;
 constexpr double usual_check = 50, longest_check = 200;
 /// The same of sensors: they are measured, so much of the time goes into knowing how well.
 constexpr double sensor_rays_per_check = 4;
-/// How many times the square spread of so many passes counts: they share a blur that it does not show, the more of it the fewer they are,
-/// since the first are the coarsest, and the spread of few is itself hardly known (docs/accuracy.md).
-double caution(int passes) { return 1 + 8.0 / (static_cast<double>(passes) * passes); }
-
 /// Residual of reflections that float's rounding may leave at high albedos: no reason to warn.
 constexpr double least_residual = 1e-3;
 
@@ -64,7 +60,7 @@ MethodNeeds surface_needs(const Scene&, const std::vector<LightForm>&, const Ren
 }
 
 SurfaceMethod::SurfaceMethod(RenderContext& context)
-    : context_(context), begun_(context.clock.seconds()), patience_(context.options.target_error), check_(context) {
+    : context_(context), begun_(context.clock.seconds()), patience_(context.options.target_error), mean_(context) {
     for (std::size_t i = 0; i < context.forms.size(); ++i)
         emitters_ += context.scene.shapes[i].emits && context.forms[i] == LightForm::samples ? 1 : 0;
 }
@@ -75,33 +71,47 @@ SurfacePass SurfaceMethod::pass(int index) const {
     return pass;
 }
 
+/// The mean's sequences take turns.
+Turn SurfaceMethod::turn(int index) const {
+    const auto i = static_cast<std::uint64_t>(index);
+    return {hash64(hash64(context_.options.seed) - i % LayerMean::sequences - 1), i / LayerMean::sequences};
+}
+
 bool SurfaceMethod::advance() {
-    const SurfacePass now = pass(index_);
+    const SurfacePass now = pass(course_.index);
+    const Course before = course_;
     bool lit = false;
     try {
         lit = add_pass(now);
     } catch (const MemoryError& error) {
+        course_ = before;
         if (mean_.count() == 0) throw;
-        context_.stats.warnings.push_back(fmt::format("stopped after {} passes: {}", mean_.count(), error.what()));
+        context_.stats.stopped = fmt::format("stopped after {} passes: {}", mean_.count(), error.what());
         return false;
+    } catch (...) {
+        course_ = before;
+        throw;
     }
     const double time = context_.clock.seconds(), pace = (time - begun_) / now.work;
     begun_ = time;
-    ++index_;
+    ++course_.index;
+    if (solver_) course_.solver = solver_->course();
     return lit && !enough(pace);
+}
+
+void SurfaceMethod::begin_frame(int index, const SurfacePass& pass, const std::vector<std::string>& aovs) {
+    frame_ = std::make_unique<Frame>(context_, aovs, pass.light_samples, 0, turn(index));
 }
 
 /// Half a pass is worth nothing beside whole ones: only whole ones join the mean. False if nothing can be added to the direct light.
 bool SurfaceMethod::add_pass(const SurfacePass& pass) {
-    const auto index = static_cast<std::uint64_t>(index_);
-    const Turn turn{hash64(hash64(context_.options.seed) - index % LayerMean::sequences - 1), index / LayerMean::sequences};
     const std::vector<std::string>& aovs = context_.options.aovs;
-    frame_ = std::make_unique<Frame>(context_, index_ == 0 ? aovs : light_layers(aovs), pass.light_samples, 0, turn);
+    begin_frame(course_.index, pass, course_.index == 0 ? aovs : light_layers(aovs));
+    const Turn now = turn(course_.index);
     const std::vector<float> emission = frame_->layers().beauty();
-    const bool lit = add_direct(pass, hash64(turn.seed + 2) + turn.index);
-    if (lit) add_bounces(pass, turn);
-    mean_.add(frame_->take_layers(), pass.weight, pass.generation, spreads_outliers() ? pass.world_set : -1);
-    check_.add_emission(emission, pass.weight);
+    const bool lit = add_direct(pass, hash64(now.seed + 2) + now.index);
+    if (lit) add_bounces(pass, now);
+    mean_.add(frame_->take_layers(), emission, pass);
     frame_ = nullptr;
     context_.stats.passes = mean_.count();
     return lit;
@@ -132,17 +142,37 @@ void SurfaceMethod::place_world(const SurfacePass& pass, const FilmPixels& pixel
                          lobe_lights(context_, of_film, fewer_lights(pass, static_cast<int>(of_film.size()))),
                          lobe_lights(context_, samples, static_cast<double>(samples.size()) / pass.world.light_draws),
                          lobe_lights(context_, samples, static_cast<double>(samples.size()) / chain_draws)};
-    // As many more pencils lie so much closer.
-    const float guess =
-        solver_ ? solver_->spacing() * std::sqrt(static_cast<float>(world_wish_) / static_cast<float>(pass.world.pencils)) : 0;
-    world_set_ = -1;    // until it is solved: it may be stopped before
     solver_ = nullptr;  // its memory first
     solver_ = std::make_unique<SurfaceSolver>(context_.kernels, context_.device_scene, std::move(lights), pass.world, context_.clock,
                                               static_cast<uint>(seed >> 32));
-    if (context_.wanted(2)) solver_->place(seeds(pixels), guess);
-    world_wish_ = pass.world.pencils;
-    context_.stats.world_pencils += static_cast<std::uint64_t>(solver_->world().count);
-    world_set_ = pass.world_set;
+    if (context_.wanted(2)) solver_->place(seeds(pixels), course_.guess);
+}
+
+/// Places the world set of the next pass once more, if those before share it.
+void SurfaceMethod::resume() {
+    begun_ = context_.clock.seconds();
+    context_.clock.allow_stops();
+    if (course_.world_set < 0 || course_.world_set != pass(course_.index).world_set) return;
+    const SurfacePass placing = pass(course_.placed_by);
+    begin_frame(course_.placed_by, placing, {});
+    place_world(placing, FilmPixels(frame_->film()));
+    solver_->resume(course_.solver);
+    frame_ = nullptr;
+}
+
+void SurfaceMethod::transfer(Archive& archive) {
+    RenderStats& stats = context_.stats;
+    double seconds = context_.clock.seconds();
+    archive(course_, patience_, seconds, context_.receivers);
+    archive(stats.bounces, stats.residual, stats.passes, stats.world_pencils, stats.film_pencils, stats.film_surfels, stats.converged);
+    archive(stats.bounce_solve, stats.warnings);
+    mean_.transfer(archive);
+    if (!archive.reads()) return;
+    Archive::expect(archive.remaining() == 0, "there is more than a solve");
+    Archive::expect(course_.index == mean_.count() && course_.index > 0 && course_.placed_by >= 0 && course_.placed_by < course_.index, "no passes");
+    Archive::expect(course_.solver.spots.size() <= SPOTS_MOST, "too many bright spots");
+    context_.clock.go_on_after(seconds);
+    resume();
 }
 
 /// Pencils whose texels show where light is reflected.
@@ -153,8 +183,8 @@ SurfacePencils SurfaceMethod::seeds(const FilmPixels& pixels) const {
 
 /// Width of the maps of the world set, a multiple of 4: as the last pass of the film says, so that the world's noise does not outweigh the film's.
 int SurfaceMethod::world_map() const {
-    if (film_rays_ == 0) return first_world_map;
-    const double texels = world_share * film_rays_ / std::max(solver_->world().count, 1);
+    if (course_.film_rays == 0) return first_world_map;
+    const double texels = world_share * course_.film_rays / std::max(solver_->world().count, 1);
     return std::clamp(4 * static_cast<int>(std::lround(std::sqrt(texels) / 4)), least_world_map, most_world_map);
 }
 
@@ -163,36 +193,50 @@ void SurfaceMethod::add_bounces(const SurfacePass& pass, const Turn& turn) {
     if (!context_.wanted(1)) return;
     if (frame_->film().surfels().count == 0) return frame_->finish_bounce(FilmLayers::indirect, 0, 0);  // passes have the same layers
     const FilmPixels pixels(frame_->film());
-    if (pass.world_set != world_set_) place_world(pass, pixels);
+    if (pass.world_set != course_.world_set) {
+        // As many more pencils lie so much closer.
+        course_.guess = course_.spacing * std::sqrt(static_cast<float>(course_.wish) / static_cast<float>(pass.world.pencils));
+        place_world(pass, pixels);
+        course_.wish = pass.world.pencils;
+        course_.spacing = solver_->spacing();
+        course_.placed_by = course_.index;
+        course_.world_set = pass.world_set;
+        context_.stats.world_pencils += static_cast<std::uint64_t>(solver_->world().count);
+    }
     solver_->solve(world_map(), context_.options.bounces, context_.options.tolerance, hash64(turn.seed) + turn.index);
     report_bounces();
+    gather_film(pass, pixels, turn);
+    if (const int paths = check_paths(pixels.film.is_row_of_sensors() ? sensor_rays_per_check : rays_per_check); paths > 0)
+        context_.clock.run("check error", [&] { mean_.check().add(frame_->film(), paths, hash64(turn.seed + 1) + turn.index); });
+}
+
+/// What film pencils gather from the world set, and reflections of surfels with lobes.
+void SurfaceMethod::gather_film(const SurfacePass& pass, const FilmPixels& pixels, const Turn& turn) {
     FilmPencils film(context_.kernels, pixels, pass.lattice);
     const TexelPoints points{static_cast<uint>(turn.seed >> 32), static_cast<uint>(turn.index)};
     context_.clock.run("film pencils", [&] { film.refine(*solver_, points); });
     context_.stats.film_pencils += static_cast<std::uint64_t>(film.count());
-    film_rays_ = film.rays();
+    course_.film_rays = film.rays();
     const Buffer<float> before =
         context_.kernels.features().lobes ? copy_of(context_.kernels, frame_->outgoing(), "light before film pencils") : Buffer<float>();
     context_.clock.run("project film", [&] { film.project(frame_->outgoing()); });
     if (before.allocated())
         context_.clock.run("reflections", [&] {
-            add_film_lobes(context_, *frame_, *solver_, {before, film_rays_, fewer_lights(pass, frame_->lights().maps.count) > 1});
+            add_film_lobes(context_, *frame_, *solver_, {before, course_.film_rays, fewer_lights(pass, frame_->lights().maps.count) > 1});
         });
     frame_->finish_bounce(FilmLayers::indirect, film.count(), 0);
-    if (const int paths = check_paths(pixels.film.is_row_of_sensors() ? sensor_rays_per_check : rays_per_check); paths > 0)
-        context_.clock.run("check error", [&] { check_.add(frame_->film(), paths, hash64(turn.seed + 1) + turn.index); });
 }
 
 /// About how many reflections matter to a path of a check.
 double SurfaceMethod::check_length() const {
-    return context_.options.bounces < 0 ? 1 / std::max(1 - solver_->bounces().spectral_radius, 1e-9) : 1;
+    return context_.options.bounces < 0 ? 1 / std::max(1 - context_.stats.bounce_solve.spectral_radius, 1e-9) : 1;
 }
 
 /// Paths of a check, one for so many rays, fewer where each is long; 0 where so many reflections matter that paths cannot follow them.
 int SurfaceMethod::check_paths(double rays_per_path) const {
     const double length = check_length();
     if (length > longest_check) return 0;
-    return static_cast<int>(film_rays_ / (rays_per_path * std::max(length / usual_check, 1.0)));
+    return static_cast<int>(course_.film_rays / (rays_per_path * std::max(length / usual_check, 1.0)));
 }
 
 /// What the world's bounces say of the image.
@@ -213,41 +257,8 @@ void SurfaceMethod::report_bounces() {
                           stats.bounce_solve.steps + 2));
 }
 
-/// The mean of the passes as it is shown, in `copy` if it differs: rare light along lobes is spread over where it may come to.
-const LayerMean& SurfaceMethod::shown(LayerMean& copy) const {
-    if (!spreads_outliers() || mean_.count() == 0) return mean_;
-    copy = mean_;
-    copy.spread_outliers(context_.flat.camera.width);
-    return copy;
-}
-
-bool SurfaceMethod::spreads_outliers() const { return context_.kernels.features().lobes && context_.scene.sensor_points.empty(); }
-
-double SurfaceMethod::spread_of(const LayerMean& mean) const {
-    if (mean.count() == 0 || !context_.stats.bounce_solve.has_sum) return std::numeric_limits<double>::infinity();
-    return caution(mean.count()) * mean.relative_mean_square_error();
-}
-
-double SurfaceMethod::error_of(double spread, const CertifiedError& certified) const {
-    if (mean_.count() == 0 || !context_.stats.bounce_solve.has_sum) return std::numeric_limits<double>::infinity();
-    const double error = join_errors(spread, certified);
-    return std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
-}
-
-CertifiedError SurfaceMethod::certify(const LayerMean& mean) const {
-    return mean.count() > 0 ? check_.certify(mean.beauty(), mean.usual_values()) : CertifiedError();
-}
-
-double SurfaceMethod::estimated_error() const {
-    LayerMean copy;
-    const LayerMean& mean = shown(copy);
-    return error_of(spread_of(mean), certify(mean));
-}
-
-CertifiedError SurfaceMethod::certified_error() const {
-    LayerMean copy;
-    return certify(shown(copy));
-}
+double SurfaceMethod::estimated_error() const { return mean_.errors().error; }
+CertifiedError SurfaceMethod::certified_error() const { return mean_.errors().certified; }
 
 /// True if the next pass is not needed or would not end in time; `pace`: seconds per unit of work.
 bool SurfaceMethod::enough(double pace) {
@@ -256,29 +267,21 @@ bool SurfaceMethod::enough(double pace) {
     StageClock& clock = context_.clock;
     if (options.seconds > 0) {
         clock.set_fraction(std::min(clock.seconds() / options.seconds, 1.0));
-        return clock.seconds() + pace * pass(index_).work > options.seconds;
+        return clock.seconds() + pace * pass(course_.index).work > options.seconds;
     }
-    LayerMean copy;
-    const LayerMean& mean = shown(copy);
-    const CertifiedError certified = certify(mean);
-    const double spread = spread_of(mean), error = error_of(spread, certified);
-    if (mean_.count() >= 2) clock.set_fraction(std::min(options.target_error / error, 1.0));
-    CertifiedError at_least = certified;
-    at_least.relmse -= 2 * certified.standard_error;
-    const Patience::Answer answer =
-        patience_.ask({index_, error, error_of(spread, at_least), student(mean_.count()) * mean_.mean_standard_error(), certified});
-    if (answer.reason) context_.stats.warnings.push_back(*answer.reason);
+    const PassErrors errors = mean_.errors();
+    if (mean_.count() >= 2) clock.set_fraction(std::min(options.target_error / errors.error, 1.0));
+    const Patience::Answer answer = patience_.ask({mean_.count(), errors.error, errors.sure_error, errors.mean_error, errors.certified});
+    context_.stats.stopped = answer.reason.value_or("");
     return answer.enough;
 }
 
 std::vector<Layer> SurfaceMethod::snapshot() const {
-    LayerMean copy;
-    if (mean_.count() > 0) return LayerMean(shown(copy)).take();
+    if (mean_.count() > 0) return mean_.snapshot();
     return frame_ ? frame_->snapshot() : std::vector<Layer>();
 }
 
 std::vector<Layer> SurfaceMethod::take() {
-    if (spreads_outliers()) mean_.spread_outliers(context_.flat.camera.width);
     if (mean_.count() > 0) return mean_.take();
     return frame_ ? frame_->take_layers() : std::vector<Layer>();
 }
@@ -297,7 +300,7 @@ std::vector<std::string> SurfaceMethod::explain() const {
     if (solver_ && context_.wanted(2))
         lines.push_back(solver_->spots() > 0 ? fmt::format("bright spots: film pencils send rays of their own to {}", solver_->spots())
                                              : "left out: rays to bright spots: rays in all directions find the light");
-    if (solver_ && film_rays_ > 0 && check_length() > longest_check)
+    if (solver_ && course_.film_rays > 0 && check_length() > longest_check)
         lines.push_back("left out: check by light paths (too many reflections matter); the error is that of the spread of passes alone");
     return lines;
 }

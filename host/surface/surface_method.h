@@ -4,11 +4,10 @@
 
 #include <memory>
 
-#include "certify/error_check.h"
 #include "film/frame.h"
-#include "film/layer_mean.h"
 #include "film/method.h"
 #include "surface/film_pencils.h"
+#include "surface/pass_mean.h"
 #include "surface/patience.h"
 #include "surface/surface_pass.h"
 #include "surface/surface_solver.h"
@@ -29,36 +28,46 @@ public:
     double estimated_error() const override;
     CertifiedError certified_error() const override;
     std::vector<std::string> explain() const override;
+    bool resumable() const override { return true; }
+    void transfer(Archive& archive) override;
 
 private:
+    /// Where the passes stand: what the next one needs of those before, beside sums.
+    struct Course {
+        int index = 0;         // of the next pass
+        double film_rays = 0;  // of film pencils of the last one
+        int world_set = -1;    // that was placed last,
+        int placed_by = 0;     // by this pass,
+        int wish = 1;          // with so many pencils in mind
+        float guess = 0;       // and this guess of their spacing,
+        float spacing = 0;     // which became this
+        SurfaceSolver::Course solver;
+        void transfer(Archive& archive) { archive(index, film_rays, world_set, placed_by, wish, guess, spacing, solver); }
+    };
+
     bool add_pass(const SurfacePass& pass);
+    void begin_frame(int index, const SurfacePass& pass, const std::vector<std::string>& aovs);
     bool add_direct(const SurfacePass& pass, std::uint64_t seed);
     void add_bounces(const SurfacePass& pass, const Turn& turn);
+    void gather_film(const SurfacePass& pass, const FilmPixels& pixels, const Turn& turn);
     void place_world(const SurfacePass& pass, const FilmPixels& pixels);
+    void resume();
     int world_map() const;
     double check_length() const;
     int check_paths(double rays_per_path) const;
     void report_bounces();
     bool enough(double pace);
-    const LayerMean& shown(LayerMean& copy) const;
-    bool spreads_outliers() const;
-    double spread_of(const LayerMean& mean) const;
-    double error_of(double spread, const CertifiedError& certified) const;
-    CertifiedError certify(const LayerMean& mean) const;
     SurfacePass pass(int index) const;
+    Turn turn(int index) const;
     SurfacePencils seeds(const FilmPixels& pixels) const;
 
     RenderContext& context_;
-    int emitters_ = 0;      // shapes whose light is sampled
-    int index_ = 0;         // of the next pass
-    double film_rays_ = 0;  // of the last one
-    double begun_ = 0;      // when the last pass ended [s]
+    int emitters_ = 0;  // shapes whose light is sampled
+    Course course_;
+    double begun_ = 0;  // when the last pass ended [s]
     Patience patience_;
-    LayerMean mean_;
-    ErrorCheck check_;
+    PassMean mean_;
     std::unique_ptr<Frame> frame_;  // of the pass in the making
-    int world_set_ = -1;            // of the solver
-    int world_wish_ = 1;            // pencils that it asked for
     std::unique_ptr<SurfaceSolver> solver_;
 };
 

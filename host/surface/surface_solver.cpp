@@ -58,6 +58,15 @@ SurfaceSolver::SurfaceSolver(Kernels& kernels, const DeviceScene& scene, Surface
       seed_(seed),
       world_(kernels, scene, quality.pencils, seed_, lights_.drawn) {}
 
+SurfaceSolver::Course SurfaceSolver::course() const {
+    return {gathers_, spots_.has_value(), spots_ ? spots_->found : std::vector<Spot>()};
+}
+
+void SurfaceSolver::resume(const Course& course) {
+    gathers_ = course.gathers;
+    if (course.looked_for_spots) spots_ = DeviceSpots(kernels_.device(), course.spots);
+}
+
 void SurfaceSolver::place(const SurfacePencils& seeds, float spacing) {
     clock_.run(
         "place world", [&] { world_.cover(seeds, spacing); });

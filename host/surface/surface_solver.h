@@ -10,6 +10,7 @@
 #include "surface/project_surface_pencils.h"
 #include "surface/spots.h"
 #include "surface/world_set.h"
+#include "util/archive.h"
 
 namespace pencil {
 
@@ -37,6 +38,14 @@ enum class Reach { own, others };
 
 class SurfaceSolver {
 public:
+    /// What the next solve() needs of those before, but for the world set.
+    struct Course {
+        std::uint64_t gathers = 0;
+        bool looked_for_spots = false;
+        std::vector<Spot> spots;
+        void transfer(Archive& archive) { archive(gathers, looked_for_spots, spots); }
+    };
+
     SurfaceSolver(Kernels& kernels, const DeviceScene& scene, SurfaceLights lights, const WorldQuality& quality, StageClock& clock,
                   uint seed);
 
@@ -53,6 +62,10 @@ public:
     Chains follow(const Surfels& film, const Buffer<int>& starts, int shared);
     /// and what they find: radiance[3][capacity of `chains`] that they carry [W m^-2 sr^-1], emission and reflections.
     Buffer<float> radiance(const Surfels& chains);
+
+    Course course() const;
+    /// Goes on as the solver of the same world set whose course this was.
+    void resume(const Course& course);
 
     const SurfacePencils& world() const { return world_.pencils(); }
     float spacing() const { return world_.spacing(); }

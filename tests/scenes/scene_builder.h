@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "render/render_session.h"
+#include "render/render.h"
 #include "scenes/scene_parts.h"
 
 namespace pencil::test {

@@ -1,0 +1,115 @@
+#include "render/render.h"
+
+#include <fmt/format.h>
+
+#include "render/checkpoint.h"
+#include "render/photometric_layers.h"
+#include "render/render_session.h"
+#include "util/archive.h"
+#include "util/error.h"
+#include "util/stopwatch.h"
+
+namespace pencil {
+
+namespace {
+
+class CarefulRender {
+public:
+    CarefulRender(const Scene& scene, const RenderOptions& options, std::shared_ptr<Device> device, const Progress& progress,
+                  const RenderCare& care)
+        : scene_(scene), options_(options), device_(std::move(device)), progress_(progress), care_(care) {}
+
+    RenderResult run() {
+        std::string failure;
+        while (true) try {
+                begin();
+                while (session_->advance()) write_checkpoint(false);
+                write_checkpoint(true);
+                break;
+            } catch (const DeviceError& error) {
+                if (move_on(error)) continue;
+                if (!session_ || !session_->has_step()) throw;
+                failure = error.what();
+                break;
+            }
+        RenderResult result = session_->finish();
+        result.failure = failure;
+        result.stats.warnings.insert(result.stats.warnings.end(), warnings_.begin(), warnings_.end());
+        return result;
+    }
+
+private:
+    /// A session on the device, which goes on from what there is.
+    void begin() {
+        session_ = std::make_unique<RenderSession>(scene_, options_, device_, progress_);
+        if (!care_.checkpoint.empty() || !care_.resume.empty()) identity_ = render_identity(scene_, session_->options(), *device_);
+        if (!state_.empty()) return session_->resume(state_);
+        if (care_.resume.empty()) return;
+        std::vector<char> state = read_checkpoint(care_.resume, identity_);
+        try {
+            session_->resume(std::move(state));
+        } catch (const ArchiveError& error) {
+            throw UsageError(fmt::format("--resume {}: it is damaged: {}", care_.resume.string(), error.what()));
+        }
+    }
+
+    /// A disk that is full is no reason to lose the image.
+    void write_checkpoint(bool last) {
+        if (care_.checkpoint.empty() || !session_->has_step() || !(last || clock_.due())) return;
+        const Stopwatch watch;
+        try {
+            pencil::write_checkpoint(care_.checkpoint, identity_, session_->save());
+        } catch (const OutputError& error) {
+            if (!warned_) warnings_.push_back(fmt::format("no checkpoint: {}", error.what()));
+            warned_ = true;
+        }
+        clock_.written_in(watch.seconds());
+    }
+
+    /// To another device, with what was finished.
+    bool move_on(const DeviceError& error) {
+        if (!care_.next_device) return false;
+        if (session_ && session_->has_step() && session_->resumable()) state_ = session_->save();
+        const std::shared_ptr<Device> next = care_.next_device(*device_);
+        if (!next) return false;
+        warnings_.push_back(fmt::format("{} failed: {}; {} goes on", device_->info().name, error.what(), next->info().name));
+        session_ = nullptr;
+        device_ = next;
+        return true;
+    }
+
+    const Scene& scene_;
+    const RenderOptions& options_;
+    std::shared_ptr<Device> device_;
+    const Progress& progress_;
+    const RenderCare& care_;
+    std::unique_ptr<RenderSession> session_;
+    RenderIdentity identity_;
+    std::vector<char> state_;  // of a session whose device failed
+    CheckpointClock clock_;
+    bool warned_ = false;
+    std::vector<std::string> warnings_;
+};
+
+}  // namespace
+
+RenderResult render(const Scene& scene, const RenderOptions& options, const std::shared_ptr<Device>& device, const Progress& progress,
+                    const RenderCare& care) {
+    RenderResult result = CarefulRender(scene, options, device, progress, care).run();
+    const auto solve_irradiance = [&] {
+        if (result.interrupted || !result.failure.empty()) return IrradianceImage{{}, {}, true, true};
+        const Stopwatch watch;
+        RenderResult found = CarefulRender(scene, irradiance_options(options), device, progress, {{}, {}, care.next_device}).run();
+        result.stats.stages.push_back({illuminance_layer, watch.seconds(), 0, 0, {}});
+        result.failure = found.failure;
+        return IrradianceImage{std::move(found.layers), std::move(found.stats.warnings), found.interrupted, found.stats.converged};
+    };
+    const IrradianceImage irradiance =
+        add_photometric_layers(options.aovs, resolve(options, scene).lumens_per_watt, solve_irradiance, result.layers);
+    result.stats.warnings.insert(result.stats.warnings.end(), irradiance.warnings.begin(), irradiance.warnings.end());
+    result.stats.converged = result.stats.converged && irradiance.converged;
+    result.interrupted = result.interrupted || (irradiance.interrupted && result.failure.empty());
+    return result;
+}
+
+}  // namespace pencil
