@@ -142,8 +142,9 @@ std::vector<Option> option_table(RenderCommand& command) {
     rows.push_back(output_row(command.outputs));
     append(rows, render_option_table(command.options));
     append(rows,
-           {device_row(command.device), surface_row(path_row("--checkpoint", "FILE", command.checkpoint,
-                                                              "Keep FILE such that a killed render can go on from it; at most 2 % of the time")),
+           {device_row(command.device),
+            surface_row(path_row("--checkpoint", "FILE", command.checkpoint,
+                                 "Keep FILE such that a killed render can go on from it; at most 2 % of the time")),
             surface_row(path_row("--resume", "FILE", command.resume,
                                  "Go on from a checkpoint of the same render; --time and --target-error may ask for more than it did")),
             path_row("--stats", "FILE", command.stats, "Write times, launches, residual and decisions as JSON"),

@@ -11,9 +11,19 @@
 
 namespace pencil {
 
-double student(int images) {
-    constexpr std::array<double, 3> factor{6.48, 2.20, 1.62};
-    return factor[static_cast<std::size_t>(std::clamp(images, 2, LayerMean::sequences)) - 2];
+namespace {
+
+double average(const std::vector<float>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+}  // namespace
+
+double student(int values) {
+    constexpr std::array<double, 3> few{6.48, 2.20, 1.62};
+    const int freedom = std::max(values - 1, 1);
+    if (freedom <= static_cast<int>(few.size())) return few[static_cast<std::size_t>(freedom) - 1];
+    return 1 + 1.21 / freedom + 1.6 / (static_cast<double>(freedom) * freedom);
 }
 
 void LayerMean::Sum::add(const std::vector<float>& beauty, const std::vector<float>& first, double image_weight) {
@@ -32,6 +42,8 @@ void LayerMean::add(std::vector<Layer> layers, double weight, int generation, in
     if (set >= 0) of_set_[static_cast<std::size_t>(set) % of_set_.size()].add(layers.front().pixels, first_, weight);
     weights_.back() += weight;
     weight_ += weight;
+    const double step = average(layers.front().pixels) - average(first_);
+    for (std::size_t k = 0; k < squares_.size(); ++k) squares_[k] += weight * weight * (k == 0 ? 1 : k == 1 ? step : step * step);
     if (count_++ == 0) {
         mean_ = std::move(layers);
         return;
@@ -139,31 +151,24 @@ double LayerMean::shared_square() const {
 
 /// sum(W^2 (M - mean)^2) / sum(W)^2 over the means M of the sequences and their weights W, right whatever their variances are (White 1980),
 /// times what makes it unbiased where variances are as 1 / W: sum(W) / (sum(W) - W) for each.
-/// `value(s)`: W times M of a sequence.
-template <typename Value>
-double LayerMean::spread_of_mean(const Sums& sums, double mean, Value value) const {
+double LayerMean::variance_of_mean(const Sums& sums, std::size_t i) const {
+    const double mean = static_cast<double>(mean_.front().pixels[i]) - static_cast<double>(first_[i]);
     double sum = 0;
     for (const Sum& s : sums) {
         if (s.weight == 0) continue;
-        const double step = value(s) - s.weight * mean;
+        const double step = static_cast<double>(s.value[i]) - s.weight * mean;
         sum += step * step / (1.0 - s.weight / weight_);
     }
     return sum / (weight_ * weight_);
 }
 
-double LayerMean::variance_of_mean(const Sums& sums, std::size_t i) const {
-    const double mean = static_cast<double>(mean_.front().pixels[i]) - static_cast<double>(first_[i]);
-    return spread_of_mean(sums, mean, [i](const Sum& s) { return static_cast<double>(s.value[i]); });
-}
-
+/// sum(W^2 (M - mean)^2) / sum(W)^2 over images of weight W, times n / (n - 1).
 double LayerMean::mean_standard_error() const {
     if (count_ < 2) return std::numeric_limits<double>::infinity();
-    const auto average = [](const std::vector<float>& v) {
-        return std::accumulate(v.begin(), v.end(), 0.0) / static_cast<double>(v.size());
-    };
-    const double mean = average(mean_.front().pixels);
+    const double mean = average(mean_.front().pixels), step = mean - average(first_);
     if (!(mean > 0)) return 0;
-    return std::sqrt(spread_of_mean(of_, mean - average(first_), [&](const Sum& s) { return average(s.value); })) / mean;
+    const double sum = squares_[2] - 2 * step * squares_[1] + step * step * squares_[0];
+    return std::sqrt(std::max(sum, 0.0) * count_ / (count_ - 1.0)) / (weight_ * mean);
 }
 
 /// By the sequences, or, where there are sets, by these if they differ more: each of them lies in all sequences.
@@ -194,12 +199,14 @@ void LayerMean::append_error(std::vector<Layer>& layers) const {
 }
 
 void LayerMean::transfer(Archive& archive, std::size_t pixels) {
-    archive(count_, weight_, mean_, first_, of_, of_set_, generation_, weights_, now_, before_, last_square_);
+    archive(count_, weight_, mean_, first_, of_, of_set_, generation_, weights_, now_, before_, last_square_, squares_);
     if (!archive.reads()) return;
     for (const Layer& layer : mean_)
-        Archive::expect(layer.channels > 0 && layer.pixels.size() == pixels * static_cast<std::size_t>(layer.channels), "a layer has another size");
+        Archive::expect(layer.channels > 0 && layer.pixels.size() == pixels * static_cast<std::size_t>(layer.channels),
+                        "a layer has another size");
     Archive::expect(count_ >= 0 && (count_ > 0) == !mean_.empty() && !weights_.empty(), "no mean of images");
-    Archive::expect(mean_.empty() ? first_.empty() : mean_.front().pixels.size() == first_.size() && first_.size() == 3 * pixels, "no beauty");
+    Archive::expect(mean_.empty() ? first_.empty() : mean_.front().pixels.size() == first_.size() && first_.size() == 3 * pixels,
+                    "no beauty");
     const auto check = [&](const Sum& sum) {
         Archive::expect(sum.value.size() == (sum.weight == 0 ? 0 : first_.size()), "a sum of images has another size");
     };

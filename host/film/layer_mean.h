@@ -33,8 +33,11 @@ public:
     /// sequences, and what generations share, from the step between the last two. Needs two images; infinite before.
     double relative_mean_square_error() const;
 
-    /// Estimated standard error of the beauty's mean over all pixels, relative to it, from the spread of the sequences; infinite before two
-    /// images.
+    /// The part of it that the spread of the sequences shows.
+    double mean_square_noise() const;
+
+    /// Estimated standard error of the beauty's mean over all pixels, relative to it, from the spread of the images: there are more of them than
+    /// of sequences, whose few means agree by chance now and then. Infinite before two images.
     double mean_standard_error() const;
 
     /// The layers of the mean; with two images or more a layer "error" follows: the estimated error of every beauty value. Leaves nothing
@@ -58,10 +61,7 @@ private:
     void begin_generation(int generation);
     bool has_sets() const;
     void settle(Sum& sum, const std::vector<float>& limits, const std::vector<float>& steps) const;
-    template <typename Value>
-    double spread_of_mean(const Sums& sums, double mean, Value value) const;
     double variance_of_mean(const Sums& sums, std::size_t i) const;
-    double mean_square_noise() const;
     double shared_square() const;
     double shared_square_error() const;
     void append_error(std::vector<Layer>& layers) const;
@@ -76,12 +76,13 @@ private:
     Sums of_, of_set_;          // of the sequences; of the kinds of sets
     int generation_ = 0;
     std::vector<double> weights_{0.0};  // of the generations
+    std::array<double, 3> squares_{};   // sums of weight^2 * mean^k, mean: of all pixels of an image, less the first's
     Halves now_, before_;               // of the generation and the last
     double last_square_ = 0;            // shared_square() of the last
 };
 
-/// How much wider the interval of a mean of `images` is, whose sequences tell its spread, than the one of known spread: Student's, 95 %. Few
+/// How much wider the interval of a mean is, whose spread is known from so many `values`, than the one of known spread: Student's, 95 %. Few
 /// agree by chance too often.
-double student(int images);
+double student(int values);
 
 }  // namespace pencil

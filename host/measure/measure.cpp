@@ -46,7 +46,8 @@ Values joined_errors(const Values& values, const Values& spread, const Certified
                  shared = certified.points > 1 ? std::max(most - known, 0.0) : 0.0;
     Values errors;
     for (std::size_t i = 0; i < values.size(); ++i)
-        errors.push_back(std::hypot(student(passes) * spread[i], std::sqrt(shared * relative_to(values[i], mean))));
+        errors.push_back(
+            std::hypot(student(std::min(passes, LayerMean::sequences)) * spread[i], std::sqrt(shared * relative_to(values[i], mean))));
     return errors;
 }
 

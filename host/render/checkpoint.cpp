@@ -45,7 +45,8 @@ std::vector<char> read_bytes(const std::filesystem::path& file) {
     const auto size = std::filesystem::file_size(file, error);
     std::vector<char> bytes(static_cast<std::size_t>(size) - first_line.size());
     in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    if (static_cast<std::size_t>(in.gcount()) != bytes.size() || bytes.size() < hash_digits) refuse(file, "it is damaged: it ends too early");
+    if (static_cast<std::size_t>(in.gcount()) != bytes.size() || bytes.size() < hash_digits)
+        refuse(file, "it is damaged: it ends too early");
     return bytes;
 }
 

@@ -85,7 +85,6 @@ bool RenderSession::advance() {
     return !ended_;
 }
 
-
 bool RenderSession::resumable() const { return method_->resumable(); }
 
 std::vector<char> RenderSession::save() {

@@ -1,6 +1,7 @@
 // The image as the mean of the passes, and how wrong it is: by the spread of the passes and by light paths.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "certify/error_check.h"
@@ -30,6 +31,10 @@ public:
     int count() const { return mean_.count(); }
     /// Needs a pass for more than infinite errors.
     PassErrors errors() const;
+
+    /// Estimated relative variances of a pixel, and of the mean of all, in one pass; 0 before there are two.
+    double noise_of_pixels() const { return mean_.count() > 1 ? mean_.mean_square_noise() * mean_.count() : 0; }
+    double noise_of_mean() const { return mean_.count() > 1 ? std::pow(mean_.mean_standard_error(), 2) * mean_.count() : 0; }
 
     /// The layers as they are shown, with the error of the beauty; needs a pass. take() leaves nothing behind.
     std::vector<Layer> snapshot() const;

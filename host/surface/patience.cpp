@@ -11,9 +11,8 @@ namespace {
 
 /// A target that is never met ends here.
 constexpr int most_passes = 256;
-/// The mean of all pixels is to be this much better known than each of them, if that does not take many passes: it is what is seen as too
-/// bright or too dark.
-constexpr double mean_share = 0.1;
+/// But not for ever: where it takes more, it is said how well it is known.
+constexpr int mean_passes = 128;
 /// From so many passes on, an error that twice the passes do not lower to this share does not fall any more.
 constexpr int steady_passes = 64;
 constexpr double falling_share = 0.85;
@@ -24,7 +23,7 @@ constexpr double hopeless = 100;
 }  // namespace
 
 bool Patience::knows_the_mean(const PassesSoFar& so_far) const {
-    if (so_far.passes >= steady_passes) return true;
+    if (so_far.passes >= mean_passes) return true;
     const double wanted = mean_share * std::sqrt(target_);
     const CertifiedError& certified = so_far.certified;
     const bool contradicted = certified.points > 1 && std::abs(certified.mean_bias) > std::max(2 * certified.mean_error, wanted);
@@ -36,7 +35,8 @@ Patience::Answer Patience::ask(const PassesSoFar& so_far) {
     if (passes >= 2 && !std::isfinite(error)) return {true, "the image holds values that are not finite: stopped, the error is not known"};
     if (passes >= least_passes && error <= target_ && knows_the_mean(so_far)) return {true, {}};
     const int patience = sure_error > hopeless * target_ ? hopeless_passes : steady_passes;
-    const bool stuck = error > target_ && passes >= patience && passes == 2 * error_passes_ && error > falling_share * last_error_;
+    const bool stuck = error > target_ && passes >= patience && passes == 2 * error_passes_ && error > falling_share * last_error_ &&
+                       (patience == hopeless_passes || knows_the_mean(so_far));
     if (stuck || passes >= most_passes)
         return {true,
                 fmt::format("stopped {} --target-error: the estimated relMSE is {:.2g} after {} passes{}, the mean known to {:.1g} %; "

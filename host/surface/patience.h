@@ -18,6 +18,10 @@ struct PassesSoFar {
     CertifiedError certified;
 };
 
+/// The mean of all pixels is to be this much better known than each of them, if that does not take many passes: it is what is seen as too
+/// bright or too dark.
+constexpr double mean_share = 0.125;
+
 /// Two passes agree by chance too often.
 constexpr int least_passes = 3;
 

@@ -51,7 +51,7 @@ std::vector<float> pencil_importance(const std::vector<SeenPoints::Point>& point
 
 SharedPoints::SharedPoints(const std::vector<SeenPoints::Point>& points, const PointLinks& links, std::size_t pencils, std::size_t seeds,
                            std::size_t texels)
-    : first_(pencils + 1, 0) {
+    : first_(pencils + 1, 0), read_by_film_(pencils, 0.0F) {
     const std::vector<float> importance = pencil_importance(points, links, pencils, seeds, texels);
     for (std::size_t i = 0; i < points.size(); ++i) links.each(i, [&](std::size_t p, float) { ++first_[p + 1]; });
     for (std::size_t p = 0; p < pencils; ++p) first_[p + 1] += first_[p];
@@ -65,6 +65,7 @@ SharedPoints::SharedPoints(const std::vector<SeenPoints::Point>& points, const P
             const std::size_t at = next[p]++;
             point_[at] = static_cast<int>(i);
             up_to_[at] = sum[p] += weight * read;
+            if (i < seeds * texels) read_by_film_[p] += weight * read;
         });
     }
 }

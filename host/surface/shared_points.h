@@ -36,6 +36,9 @@ public:
     SharedPoints(const std::vector<SeenPoints::Point>& points, const PointLinks& links, std::size_t pencils, std::size_t seeds,
                  std::size_t texels);
 
+    /// How much of the image's light the film reads from each pencil, all orders of reflection in what it sends.
+    const std::vector<float>& read_by_film() const { return read_by_film_; }
+
     /// `draws` points of those that read the pencil, in proportion to what the image reads through them; -1 where nothing reads it, and of
     /// pencils that are not among those.
     std::vector<int> draw(std::size_t pencil, int draws, std::uint64_t seed) const;
@@ -43,6 +46,7 @@ public:
 private:
     std::vector<std::size_t> first_;  // of each pencil's points; one more than pencils
     std::vector<int> point_;
+    std::vector<float> read_by_film_;
     std::vector<float> up_to_;  // sum of the weights of the pencil's points up to and with this one
 };
 

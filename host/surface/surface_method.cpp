@@ -26,8 +26,12 @@ constexpr double rays_per_check = 32;
 constexpr double usual_check = 50, longest_check = 200;
 /// The same of sensors: they are measured, so much of the time goes into knowing how well.
 constexpr double sensor_rays_per_check = 4;
+/// Halvings of the world set where memory is short.
+constexpr int most_thrift = 4;
 /// Residual of reflections that float's rounding may leave at high albedos: no reason to warn.
 constexpr double least_residual = 1e-3;
+
+double mean_of(const glm::dvec3& rgb) { return (rgb.x + rgb.y + rgb.z) / 3; }
 
 Buffer<float> copy_of(const Kernels& kernels, const Buffer<float>& values, const std::string& what) {
     Buffer<float> copy(kernels.device(), values.size(), what);
@@ -68,6 +72,8 @@ SurfaceMethod::SurfaceMethod(RenderContext& context)
 SurfacePass SurfaceMethod::pass(int index) const {
     SurfacePass pass = surface_pass(index, context_.options, context_.flat.camera, emitters_);
     if (!context_.scene.sensor_points.empty()) suit_sensors(pass, count_receivers(context_.scene));
+    pass.world.pencils = std::max(pass.world.pencils >> course_.thrift, 1);
+    pass.world.thrift = course_.thrift;
     return pass;
 }
 
@@ -78,25 +84,48 @@ Turn SurfaceMethod::turn(int index) const {
 }
 
 bool SurfaceMethod::advance() {
-    const SurfacePass now = pass(course_.index);
-    const Course before = course_;
+    const double work = pass(course_.index).work;
     bool lit = false;
     try {
-        lit = add_pass(now);
+        lit = add_pass();
     } catch (const MemoryError& error) {
-        course_ = before;
         if (mean_.count() == 0) throw;
         context_.stats.stopped = fmt::format("stopped after {} passes: {}", mean_.count(), error.what());
         return false;
-    } catch (...) {
-        course_ = before;
-        throw;
     }
-    const double time = context_.clock.seconds(), pace = (time - begun_) / now.work;
+    const double time = context_.clock.seconds(), pace = (time - begun_) / work;
     begun_ = time;
     ++course_.index;
     if (solver_) course_.solver = solver_->course();
     return lit && !enough(pace);
+}
+
+/// A pass, if need be with less memory. What fails leaves no trace.
+bool SurfaceMethod::add_pass() {
+    while (true) {
+        const Course before = course_;
+        try {
+            return add_pass(pass(course_.index));
+        } catch (const MemoryError& error) {
+            course_ = before;
+            if (!be_thrifty(error)) throw;
+        } catch (...) {
+            course_ = before;
+            throw;
+        }
+    }
+}
+
+/// The world set gives memory back, and takes half of it from now on. False if that has been tried often enough.
+bool SurfaceMethod::be_thrifty(const MemoryError& error) {
+    if (course_.thrift == most_thrift) return false;
+    ++course_.thrift;
+    course_.world_set = -1;
+    solver_ = nullptr;
+    frame_ = nullptr;
+    context_.stats.warnings.push_back(
+        fmt::format("device memory is short: pass {} starts again with half as large a world set ({})", course_.index + 1, error.what()));
+    return true;
 }
 
 void SurfaceMethod::begin_frame(int index, const SurfacePass& pass, const std::vector<std::string>& aovs) {
@@ -169,7 +198,9 @@ void SurfaceMethod::transfer(Archive& archive) {
     mean_.transfer(archive);
     if (!archive.reads()) return;
     Archive::expect(archive.remaining() == 0, "there is more than a solve");
-    Archive::expect(course_.index == mean_.count() && course_.index > 0 && course_.placed_by >= 0 && course_.placed_by < course_.index, "no passes");
+    Archive::expect(course_.index == mean_.count() && course_.index > 0 && course_.placed_by >= 0 && course_.placed_by < course_.index &&
+                        course_.thrift >= 0 && course_.thrift <= most_thrift,
+                    "no passes");
     Archive::expect(course_.solver.spots.size() <= SPOTS_MOST, "too many bright spots");
     context_.clock.go_on_after(seconds);
     resume();
@@ -184,7 +215,9 @@ SurfacePencils SurfaceMethod::seeds(const FilmPixels& pixels) const {
 /// Width of the maps of the world set, a multiple of 4: as the last pass of the film says, so that the world's noise does not outweigh the film's.
 int SurfaceMethod::world_map() const {
     if (course_.film_rays == 0) return first_world_map;
-    const double texels = world_share * course_.film_rays / std::max(solver_->world().count, 1);
+    const double rays =
+        std::max(world_share * course_.film_rays, course_.balance.rays(course_.film_rays, course_.pixel_noise, course_.mean_noise));
+    const double texels = std::ldexp(rays, -course_.thrift) / std::max(solver_->world().count, 1);
     return std::clamp(4 * static_cast<int>(std::lround(std::sqrt(texels) / 4)), least_world_map, most_world_map);
 }
 
@@ -201,6 +234,8 @@ void SurfaceMethod::add_bounces(const SurfacePass& pass, const Turn& turn) {
         course_.spacing = solver_->spacing();
         course_.placed_by = course_.index;
         course_.world_set = pass.world_set;
+        course_.pixel_noise = mean_.noise_of_pixels();
+        course_.mean_noise = mean_.noise_of_mean();
         context_.stats.world_pencils += static_cast<std::uint64_t>(solver_->world().count);
     }
     solver_->solve(world_map(), context_.options.bounces, context_.options.tolerance, hash64(turn.seed) + turn.index);
@@ -225,6 +260,8 @@ void SurfaceMethod::gather_film(const SurfacePass& pass, const FilmPixels& pixel
             add_film_lobes(context_, *frame_, *solver_, {before, course_.film_rays, fewer_lights(pass, frame_->lights().maps.count) > 1});
         });
     frame_->finish_bounce(FilmLayers::indirect, film.count(), 0);
+    const double share = mean_of(context_.stats.bounces.back().mean) / std::max(mean_of(mean_rgb(frame_->layers().beauty())), 1e-30);
+    course_.balance.add(pass.world_set, solver_->light_to_film(), share, solver_->world_rays());
 }
 
 /// About how many reflections matter to a path of a check.

@@ -58,9 +58,7 @@ SurfaceSolver::SurfaceSolver(Kernels& kernels, const DeviceScene& scene, Surface
       seed_(seed),
       world_(kernels, scene, quality.pencils, seed_, lights_.drawn) {}
 
-SurfaceSolver::Course SurfaceSolver::course() const {
-    return {gathers_, spots_.has_value(), spots_ ? spots_->found : std::vector<Spot>()};
-}
+SurfaceSolver::Course SurfaceSolver::course() const { return {gathers_, spots_.has_value(), spots_ ? spots_->found : std::vector<Spot>()}; }
 
 void SurfaceSolver::resume(const Course& course) {
     gathers_ = course.gathers;
@@ -129,7 +127,7 @@ Buffer<float> SurfaceSolver::radiance(const Surfels& chains) {
 }
 
 void SurfaceSolver::gather(SurfacePencils& pencils, int first, int count, const TexelPoints& points, Reach reach) {
-    const int chunk = std::max(chunk_surfels / pencils.texels(), 1);
+    const int chunk = std::max((chunk_surfels >> quality_.thrift) / pencils.texels(), 1);
     auto& [surfels, outgoing, contact] = seen_;
     for (int at = first; at < first + count; at += chunk) {
         const int part = std::min(chunk, first + count - at);

@@ -21,6 +21,7 @@ constexpr int chain_draws = 8;
 struct WorldQuality {
     int pencils = 1000;   // about so many if every surface reflects light that matters
     int light_draws = 4;  // light samples of a packet of texels
+    int thrift = 0;       // halvings of what is worked on at once
 };
 
 /// What lights surface pencils.
@@ -68,6 +69,9 @@ public:
     void resume(const Course& course);
 
     const SurfacePencils& world() const { return world_.pencils(); }
+    /// WorldSet's, after solve().
+    double light_to_film() const { return world_.light_to_film(); }
+    double world_rays() const { return world_.rays(); }
     float spacing() const { return world_.spacing(); }
     bool stopped() const { return clock_.stopped(); }
     /// About what of the world's light is missing, relative to it.

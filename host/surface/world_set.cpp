@@ -109,6 +109,15 @@ PointLinks WorldSet::link_seen() {
 /// The set's, without the seeds.
 std::vector<SurfacePencil> WorldSet::pencils_on_host() const { return {seen_.pencils().begin() + seeds_, seen_.pencils().end()}; }
 
+double WorldSet::light_to_film() const {
+    const std::vector<float>& read = shared_.read_by_film();
+    const std::vector<float4> irradiance = pencils_.irradiance.read(0, read.size());
+    double light = 0;
+    for (std::size_t p = 0; p < read.size(); ++p)
+        light += static_cast<double>(read[p]) * static_cast<double>(irradiance[p].x + irradiance[p].y + irradiance[p].z);
+    return light;
+}
+
 void WorldSet::gather(int map, std::uint64_t seed) {
     const int draws = map * map / (share_map * share_map);
     ChosenSurfels chosen;

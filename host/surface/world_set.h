@@ -26,6 +26,11 @@ public:
     /// What all pencils see, each from some of the points that read it; other seeds, other points. Maps of `map` x `map` texels.
     void gather(int map, std::uint64_t seed);
 
+    /// About how much light the film receives from all pencils, as they are lit now; in units of its own, the same until pencils are placed anew.
+    double light_to_film() const;
+    /// Of a gather.
+    double rays() const { return static_cast<double>(pencils_.count) * map_ * map_; }
+
     SurfacePencils& pencils() { return pencils_; }
     const SurfacePencils& pencils() const { return pencils_; }
     const DeviceGrid& grid() const { return grid_; }

@@ -11,13 +11,13 @@ namespace {
 
 using namespace pencil;
 
-constexpr int width = 40, height = 30, count = 4;
+constexpr int width = 40, height = 30, kinds = 4;
 constexpr std::size_t pixels = static_cast<std::size_t>(width) * height;
 
 /// Images of noise about 1, relative, but for their left quarter, which is known to be 1.
 std::vector<ImageValues> noisy(double sigma) {
     ref::Random random(7);
-    std::vector<ImageValues> images(count, ImageValues(3 * pixels, 1.0F));
+    std::vector<ImageValues> images(kinds, ImageValues(3 * pixels, 1.0F));
     for (ImageValues& image : images)
         for (std::size_t i = 0; i < pixels; ++i)
             if (i % width >= width / 4)
@@ -83,7 +83,7 @@ TEST(Outliers, BrightThingsAndTheirEdgesStay) {
 }
 
 TEST(Outliers, NothingChangesWhereNothingHasNoise) {
-    std::vector<ImageValues> images(count, ImageValues(3 * pixels, 0.0F));
+    std::vector<ImageValues> images(kinds, ImageValues(3 * pixels, 0.0F));
     EXPECT_EQ(largest(spread_outliers(images, width).steps[0]), 0.0);
     set(images[3], at(0, 0), 1e30F, 0.0F, 0.0F);
     for (const ImageValues& steps : spread_outliers(images, width).steps)

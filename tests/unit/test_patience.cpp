@@ -38,8 +38,8 @@ TEST(Patience, TheTargetEndsIt) {
 }
 
 TEST(Patience, TheMeanIsToBeKnownTooButNotForEver) {
-    EXPECT_EQ(end_of([](int passes) { return PassesSoFar{passes, 0, 0, 0.03 / passes, unchecked}; }).passes, 10);
-    EXPECT_EQ(end_of([](int passes) { return PassesSoFar{passes, 0, 0, 1, unchecked}; }).passes, 64);
+    EXPECT_EQ(end_of([](int passes) { return PassesSoFar{passes, 0, 0, 0.03 / passes, unchecked}; }).passes, 8);
+    EXPECT_EQ(end_of([](int passes) { return PassesSoFar{passes, 0, 0, 1, unchecked}; }).passes, 128);
 }
 
 TEST(Patience, LightPathsThatContradictAreHeard) {
@@ -48,7 +48,7 @@ TEST(Patience, LightPathsThatContradictAreHeard) {
     certified.mean_bias = -0.02;
     certified.mean_error = 0.005;
     const auto contradicted = [&](int passes) { return PassesSoFar{passes, 0, 0, 0, certified}; };
-    EXPECT_EQ(end_of(contradicted).passes, 64);
+    EXPECT_EQ(end_of(contradicted).passes, 128);
     certified.mean_error = 0.015;  // they do not know enough
     EXPECT_EQ(end_of(contradicted).passes, 3);
     certified.points = 1;
@@ -61,6 +61,11 @@ TEST(Patience, AnErrorThatFallsNoFurtherEndsIt) {
     EXPECT_EQ(end.passes, 64);
     EXPECT_NE(end.reason.find("falls no further"), std::string::npos) << end.reason;
     EXPECT_EQ(end_of([](int passes) { return PassesSoFar{passes, 1000 * target, 1000 * target, 0, unchecked}; }).passes, 16);
+    EXPECT_EQ(end_of([](int passes) {
+                  return PassesSoFar{passes, 2 * target, 2 * target, 1, unchecked};
+              }).passes,
+              128)
+        << "as long as the mean is not known";
     // The noise of light paths does not say that there is no hope.
     EXPECT_EQ(end_of([](int passes) { return PassesSoFar{passes, 1000 * target, target, 0, unchecked}; }).passes, 64);
     // One that falls by a fifth from doubling to doubling is worth waiting for.
