@@ -10,20 +10,20 @@ namespace pencil {
 namespace {
 
 /// A target that is never met ends here.
-constexpr int most_passes = 256;
+constexpr double most_work = 256;
 /// But not for ever: where it takes more, it is said how well it is known.
-constexpr int mean_passes = 128;
-/// From so many passes on, an error that twice the passes do not lower to this share does not fall any more.
-constexpr int steady_passes = 64;
+constexpr double mean_work = 128;
+/// From so much work on, an error that twice the passes do not lower to this share does not fall any more.
+constexpr double steady_work = 64;
 constexpr double falling_share = 0.85;
 /// And from so many on where it is surely so many times what was asked for: that is no matter of patience.
-constexpr int hopeless_passes = 16;
+constexpr double hopeless_work = 16;
 constexpr double hopeless = 100;
 
 }  // namespace
 
 bool Patience::knows_the_mean(const PassesSoFar& so_far) const {
-    if (so_far.passes >= mean_passes) return true;
+    if (so_far.work >= mean_work) return true;
     const double wanted = mean_share * std::sqrt(target_);
     const CertifiedError& certified = so_far.certified;
     const bool contradicted = certified.points > 1 && std::abs(certified.mean_bias) > std::max(2 * certified.mean_error, wanted);
@@ -31,13 +31,13 @@ bool Patience::knows_the_mean(const PassesSoFar& so_far) const {
 }
 
 Patience::Answer Patience::ask(const PassesSoFar& so_far) {
-    const auto& [passes, error, sure_error, mean_error, certified] = so_far;
+    const auto& [passes, work, error, sure_error, mean_error, certified] = so_far;
     if (passes >= 2 && !std::isfinite(error)) return {true, "the image holds values that are not finite: stopped, the error is not known"};
     if (passes >= least_passes && error <= target_ && knows_the_mean(so_far)) return {true, {}};
-    const int patience = sure_error > hopeless * target_ ? hopeless_passes : steady_passes;
-    const bool stuck = error > target_ && passes >= patience && passes == 2 * error_passes_ && error > falling_share * last_error_ &&
-                       (patience == hopeless_passes || knows_the_mean(so_far));
-    if (stuck || passes >= most_passes)
+    const double patience = sure_error > hopeless * target_ ? hopeless_work : steady_work;
+    const bool stuck = error > target_ && work >= patience && passes == 2 * error_passes_ && error > falling_share * last_error_ &&
+                       (patience == hopeless_work || knows_the_mean(so_far));
+    if (stuck || work >= most_work)
         return {true,
                 fmt::format("stopped {} --target-error: the estimated relMSE is {:.2g} after {} passes{}, the mean known to {:.1g} %; "
                             "--time S goes on, more --pencils may help",

@@ -12,6 +12,7 @@ namespace pencil {
 /// What passes say of themselves so far.
 struct PassesSoFar {
     int passes;
+    double work;        // of all, in terms of that of a pass whose world set has no more rays than it needs
     double error;       // estimated relMSE
     double sure_error;  // it is at least this, as far as the noise of the check by light paths tells
     double mean_error;  // of the mean of all pixels, relative to it, as Student's distribution widens it

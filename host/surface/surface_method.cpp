@@ -143,6 +143,7 @@ bool SurfaceMethod::add_pass(const SurfacePass& pass) {
     mean_.add(frame_->take_layers(), emission, pass);
     frame_ = nullptr;
     context_.stats.passes = mean_.count();
+    course_.work += 1;
     return lit;
 }
 
@@ -212,13 +213,20 @@ SurfacePencils SurfaceMethod::seeds(const FilmPixels& pixels) const {
     return seed_pencils(context_.kernels, pixels, seed_spacing * coarsest_spacing(context_.flat.camera), film_map);
 }
 
-/// Width of the maps of the world set, a multiple of 4: as the last pass of the film says, so that the world's noise does not outweigh the film's.
-int SurfaceMethod::world_map() const {
-    if (course_.film_rays == 0) return first_world_map;
-    const double rays =
-        std::max(world_share * course_.film_rays, course_.balance.rays(course_.film_rays, course_.pixel_noise, course_.mean_noise));
+/// Width of the maps of the world set for about so many rays, a multiple of 4.
+int SurfaceMethod::world_map(double rays) const {
     const double texels = std::ldexp(rays, -course_.thrift) / std::max(solver_->world().count, 1);
     return std::clamp(4 * static_cast<int>(std::lround(std::sqrt(texels) / 4)), least_world_map, most_world_map);
+}
+
+/// The world's noise is not to outweigh the film's, as the last passes say.
+void SurfaceMethod::solve_world(const Turn& turn) {
+    const double film = course_.film_rays, least = world_share * film;
+    const int usual = film > 0 ? world_map(least) : first_world_map;
+    const int map = film > 0 ? std::max(usual, world_map(course_.balance.rays(film, course_.pixel_noise, course_.mean_noise))) : usual;
+    solver_->solve(map, context_.options.bounces, context_.options.tolerance, hash64(turn.seed) + turn.index);
+    const double count = solver_->world().count;
+    if (film > 0) course_.work += (film + count * map * map) / (film + count * usual * usual) - 1;
 }
 
 /// Adds all reflections from order 2 on, and of order 1 what light samples do not carry, to the frame, as one layer "indirect".
@@ -238,7 +246,7 @@ void SurfaceMethod::add_bounces(const SurfacePass& pass, const Turn& turn) {
         course_.mean_noise = mean_.noise_of_mean();
         context_.stats.world_pencils += static_cast<std::uint64_t>(solver_->world().count);
     }
-    solver_->solve(world_map(), context_.options.bounces, context_.options.tolerance, hash64(turn.seed) + turn.index);
+    solve_world(turn);
     report_bounces();
     gather_film(pass, pixels, turn);
     if (const int paths = check_paths(pixels.film.is_row_of_sensors() ? sensor_rays_per_check : rays_per_check); paths > 0)
@@ -308,7 +316,7 @@ bool SurfaceMethod::enough(double pace) {
     }
     const PassErrors errors = mean_.errors();
     if (mean_.count() >= 2) clock.set_fraction(std::min(options.target_error / errors.error, 1.0));
-    const Patience::Answer answer = patience_.ask({mean_.count(), errors.error, errors.sure_error, errors.mean_error, errors.certified});
+    const Patience::Answer answer = patience_.ask({mean_.count(), course_.work, errors.error, errors.sure_error, errors.mean_error, errors.certified});
     context_.stats.stopped = answer.reason.value_or("");
     return answer.enough;
 }

@@ -44,11 +44,12 @@ private:
         float guess = 0;                         // and this guess of their spacing,
         float spacing = 0;                       // which became this
         int thrift = 0;                          // times that memory was short: each halves what the world set takes
+        double work = 0;       // of all, as Patience counts it
         double pixel_noise = 0, mean_noise = 0;  // of a pass, when the world set was placed
         WorldBalance balance;
         SurfaceSolver::Course solver;
         void transfer(Archive& archive) {
-            archive(index, film_rays, world_set, placed_by, wish, guess, spacing, thrift, pixel_noise, mean_noise, balance, solver);
+            archive(index, film_rays, world_set, placed_by, wish, guess, spacing, thrift, work, pixel_noise, mean_noise, balance, solver);
         }
     };
 
@@ -61,7 +62,8 @@ private:
     void gather_film(const SurfacePass& pass, const FilmPixels& pixels, const Turn& turn);
     void place_world(const SurfacePass& pass, const FilmPixels& pixels);
     void resume();
-    int world_map() const;
+    int world_map(double rays) const;
+    void solve_world(const Turn& turn);
     double check_length() const;
     int check_paths(double rays_per_path) const;
     void report_bounces();

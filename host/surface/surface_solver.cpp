@@ -136,7 +136,7 @@ void SurfaceSolver::gather(SurfacePencils& pencils, int first, int count, const 
         measure_hemispheres(kernels_, surfels, 0, at, part, pencils);
         if (reach == Reach::others) approach_emitters(kernels_, scene_, surfels, at, part, lights_.near_film, pencils);
         follow(surfels);
-        const auto emit = [&] { emit_hemispheres(kernels_, scene_, surfels, pencils, at, lights_.near_film, outgoing); };
+        const auto emit = [&] { emit_hemispheres(kernels_, scene_, seen_.surfels, pencils, at, lights_.near_film, seen_.outgoing); };
         const bool guided = direct_ && spots_ && spots_->count > 0;
         if (!guided) emit();
         if (direct_) light(seen_);

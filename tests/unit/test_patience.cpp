@@ -26,20 +26,20 @@ End end_of(const std::function<PassesSoFar(int)>& so_far) {
 }
 
 TEST(Patience, ThreePassesAreTheLeast) {
-    const End end = end_of([](int passes) { return PassesSoFar{passes, 0, 0, 0, unchecked}; });
+    const End end = end_of([](int passes) { return PassesSoFar{passes, double(passes), 0, 0, 0, unchecked}; });
     EXPECT_EQ(end.passes, 3);
     EXPECT_EQ(end.reason, "");
 }
 
 TEST(Patience, TheTargetEndsIt) {
-    const End end = end_of([](int passes) { return PassesSoFar{passes, 0.02 / passes, 0.02 / passes, 0, unchecked}; });
+    const End end = end_of([](int passes) { return PassesSoFar{passes, double(passes), 0.02 / passes, 0.02 / passes, 0, unchecked}; });
     EXPECT_EQ(end.passes, 20);
     EXPECT_EQ(end.reason, "");
 }
 
 TEST(Patience, TheMeanIsToBeKnownTooButNotForEver) {
-    EXPECT_EQ(end_of([](int passes) { return PassesSoFar{passes, 0, 0, 0.03 / passes, unchecked}; }).passes, 8);
-    EXPECT_EQ(end_of([](int passes) { return PassesSoFar{passes, 0, 0, 1, unchecked}; }).passes, 128);
+    EXPECT_EQ(end_of([](int passes) { return PassesSoFar{passes, double(passes), 0, 0, 0.03 / passes, unchecked}; }).passes, 8);
+    EXPECT_EQ(end_of([](int passes) { return PassesSoFar{passes, double(passes), 0, 0, 1, unchecked}; }).passes, 128);
 }
 
 TEST(Patience, LightPathsThatContradictAreHeard) {
@@ -47,7 +47,7 @@ TEST(Patience, LightPathsThatContradictAreHeard) {
     certified.points = 100;
     certified.mean_bias = -0.02;
     certified.mean_error = 0.005;
-    const auto contradicted = [&](int passes) { return PassesSoFar{passes, 0, 0, 0, certified}; };
+    const auto contradicted = [&](int passes) { return PassesSoFar{passes, double(passes), 0, 0, 0, certified}; };
     EXPECT_EQ(end_of(contradicted).passes, 128);
     certified.mean_error = 0.015;  // they do not know enough
     EXPECT_EQ(end_of(contradicted).passes, 3);
@@ -57,28 +57,34 @@ TEST(Patience, LightPathsThatContradictAreHeard) {
 }
 
 TEST(Patience, AnErrorThatFallsNoFurtherEndsIt) {
-    const End end = end_of([](int passes) { return PassesSoFar{passes, 2 * target, 2 * target, 0, unchecked}; });
+    const End end = end_of([](int passes) { return PassesSoFar{passes, double(passes), 2 * target, 2 * target, 0, unchecked}; });
     EXPECT_EQ(end.passes, 64);
     EXPECT_NE(end.reason.find("falls no further"), std::string::npos) << end.reason;
-    EXPECT_EQ(end_of([](int passes) { return PassesSoFar{passes, 1000 * target, 1000 * target, 0, unchecked}; }).passes, 16);
+    EXPECT_EQ(end_of([](int passes) { return PassesSoFar{passes, double(passes), 1000 * target, 1000 * target, 0, unchecked}; }).passes, 16);
     EXPECT_EQ(end_of([](int passes) {
-                  return PassesSoFar{passes, 2 * target, 2 * target, 1, unchecked};
+                  return PassesSoFar{passes, double(passes), 2 * target, 2 * target, 1, unchecked};
               }).passes,
               128)
         << "as long as the mean is not known";
     // The noise of light paths does not say that there is no hope.
-    EXPECT_EQ(end_of([](int passes) { return PassesSoFar{passes, 1000 * target, target, 0, unchecked}; }).passes, 64);
+    EXPECT_EQ(end_of([](int passes) { return PassesSoFar{passes, double(passes), 1000 * target, target, 0, unchecked}; }).passes, 64);
     // One that falls by a fifth from doubling to doubling is worth waiting for.
     const End slow = end_of([](int passes) {
-        return PassesSoFar{passes, 50 * target * std::pow(passes, -0.33), 50 * target * std::pow(passes, -0.33), 0, unchecked};
+        return PassesSoFar{passes, double(passes), 50 * target * std::pow(passes, -0.33), 50 * target * std::pow(passes, -0.33), 0, unchecked};
     });
     EXPECT_EQ(slow.passes, 256);
     EXPECT_NE(slow.reason.find("above --target-error"), std::string::npos) << slow.reason;
 }
 
+/// Passes that cost four times as much: a quarter of them.
+TEST(Patience, WorkCountsNotPasses) {
+    EXPECT_EQ(end_of([](int passes) { return PassesSoFar{passes, 4.0 * passes, 0, 0, 1, unchecked}; }).passes, 32);
+    EXPECT_EQ(end_of([](int passes) { return PassesSoFar{passes, 4.0 * passes, 2 * target, 2 * target, 0, unchecked}; }).passes, 16);
+}
+
 TEST(Patience, ErrorsThatAreNotFiniteAreNamed) {
     for (const double error : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
-        const End end = end_of([&](int passes) { return PassesSoFar{passes, error, error, 0, unchecked}; });
+        const End end = end_of([&](int passes) { return PassesSoFar{passes, double(passes), error, error, 0, unchecked}; });
         EXPECT_EQ(end.passes, 2);
         EXPECT_NE(end.reason.find("not finite"), std::string::npos) << end.reason;
     }
