@@ -11,7 +11,7 @@
 #include "shared/material.h"
 
 /// Share of a cone at its edge that is left out, so that rounding takes no direction out of it.
-#define GUIDE_MARGIN 2e-5f
+#define GUIDE_MARGIN 5e-4f
 
 static inline float guide_unit(uint bits) { return (bits >> UNIT_SHIFT) * UNIT_STEP; }
 
@@ -30,7 +30,7 @@ static inline float3 guided_direction(const SpotView *v, int number, uint key, u
 }
 
 /// Of the packet at `first`, see below.
-APART static void guide_hemispheres_packet(int first, global const SurfacePencil *pencils, int first_pencil, int n,
+APART static void guide_hemispheres_packet(int first, global const SurfacePencil *pencils, int first_pencil, int texels,
                                            global const float4 *spots, global const float *weights, int spot_count, uint seed, uint2 shift,
                                            global const BvhNode *nodes, global const int *leaves, SURFACES_PARAMETERS,
                                            global float *surfels, int capacity, global float *factors) {
@@ -44,7 +44,7 @@ APART static void guide_hemispheres_packet(int first, global const SurfacePencil
         float3 direction = view.count > 0 ? guided_direction(&view, first % SPOT_RAYS + l, key, shift) : pencil->normal.xyz;
         float cosine = dot(direction, pencil->normal.xyz);
         bool sees = view.count > 0 && cosine > 0.0f && dot(direction, pencil->facing.xyz) > 0.0f;
-        factor[l] = sees ? cosine / (texels_density(n, cosine) + guides_density(&view, direction)) : 0.0f;
+        factor[l] = sees ? cosine / (texels_density(texels, cosine) + guides_density(&view, direction)) : 0.0f;
         d[0][l] = direction.x;
         d[1][l] = direction.y;
         d[2][l] = direction.z;
@@ -68,15 +68,15 @@ APART static void guide_hemispheres_packet(int first, global const SurfacePencil
 }
 
 /// launch : 1-D, one work-item per packet of PENCIL_WIDTH guided rays, SPOT_RAYS of each pencil from first_pencil on
-/// in     : pencils; n: width of the maps of their texels; spots[spot_count], their weights: what they reflect, 1 in all; seed, shift: as
+/// in     : pencils; texels: of each; spots[spot_count], their weights: what they reflect, 1 in all; seed, shift: as
 ///          in trace_hemispheres; the scene and its hierarchy
 /// out    : surfels that the rays meet, ray k of pencil first_pencil + p at p * SPOT_RAYS + k; factors[pencil_count * SPOT_RAYS]: irradiance
 ///          of the pencil for radiance along the ray [sr], 0: the ray sees nothing
-kernel void guide_hemispheres(global const SurfacePencil *pencils, int first_pencil, int pencil_count, int n, global const float4 *spots,
+kernel void guide_hemispheres(global const SurfacePencil *pencils, int first_pencil, int pencil_count, int texels, global const float4 *spots,
                               global const float *weights, int spot_count, uint seed, uint2 shift, global const BvhNode *nodes,
                               global const int *leaves, SURFACES_PARAMETERS, global float *surfels, int capacity, global float *factors) {
     int first = get_global_id(0) * PENCIL_WIDTH;
     if (first >= pencil_count * SPOT_RAYS) return;
-    guide_hemispheres_packet(first, pencils, first_pencil, n, spots, weights, spot_count, seed, shift, nodes, leaves, SURFACES_ARGUMENTS,
+    guide_hemispheres_packet(first, pencils, first_pencil, texels, spots, weights, spot_count, seed, shift, nodes, leaves, SURFACES_ARGUMENTS,
                              surfels, capacity, factors);
 }

@@ -4,26 +4,26 @@
 #include "lib/spots.cl"
 
 /// launch : 1-D, one work-item per pencil of first_pencil ..
-/// in     : pencils; n, seed, shift: as in trace_hemispheres; spots, weights: as in guide_hemispheres
-/// in/out : radiance[3][capacity] that the texels send, n x n entries per pencil: times their share
-kernel void share_hemispheres(global const SurfacePencil *pencils, int first_pencil, int pencil_count, int n, uint seed, uint2 shift,
-                              global const float4 *spots, global const float *weights, int spot_count, global float *radiance,
-                              int capacity) {
+/// in     : pencils; texels, n, seed, shift: as in trace_hemispheres; spots, weights: as in guide_hemispheres
+/// in/out : radiance[3][capacity] that the texels send, `texels` entries per pencil: times their share
+kernel void share_hemispheres(global const SurfacePencil *pencils, int first_pencil, int pencil_count, int texels, int n, uint seed,
+                              uint2 shift, global const float4 *spots, global const float *weights, int spot_count,
+                              global float *radiance, int capacity) {
     int item = get_global_id(0);
     if (item >= pencil_count) return;
     global const SurfacePencil *pencil = pencils + first_pencil + item;
     SpotView view = view_spots(pencil, spots, weights, spot_count);
     if (view.count == 0) return;
-    for (int first = 0; first < n * n; first += PENCIL_WIDTH) {
+    for (int first = item * texels; first < (item + 1) * texels; first += PENCIL_WIDTH) {
         vfloat x, y, z;
-        hemisphere_rays(pencil, first, n, seed, shift, &x, &y, &z);
+        hemisphere_rays(pencil, first % (n * n), n, seed, shift, &x, &y, &z);
 #pragma unroll 1
         for (int l = 0; l < PENCIL_WIDTH; ++l) {
             float3 direction = (float3)(LANE_FLOAT(x, l), LANE_FLOAT(y, l), LANE_FLOAT(z, l));
             float guides = guides_density(&view, direction);
             if (!(guides > 0.0f)) continue;
-            float texels = texels_density(n, dot(direction, pencil->normal.xyz)), share = texels / (texels + guides);
-            for (int c = 0; c < 3; ++c) radiance[(size_t)c * capacity + (size_t)item * n * n + first + l] *= share;
+            float own = texels_density(texels, dot(direction, pencil->normal.xyz)), share = own / (own + guides);
+            for (int c = 0; c < 3; ++c) radiance[(size_t)c * capacity + first + l] *= share;
         }
     }
 }

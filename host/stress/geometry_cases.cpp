@@ -53,6 +53,7 @@ Measurements near_a_wall(const StressRun& run, double d) {
     }
     RenderOptions options = stress_options(MethodName::surface);
     options.bounces = 2;
+    options.target_error = 1e-7;
     const double truth = grey / pi * (1 / ((1 - d) * (1 - d)) + floor);
     return {near(of_truth, mean_of(render(scene, options, run).layers) / truth, 1, 0.01)};
 }
@@ -119,7 +120,6 @@ Measurements light_on_the_floor(const StressRun& run, double height) {
     return {below("values that are not finite", non_finite_of(render(scene, stress_options(MethodName::surface), run).layers), 0)};
 }
 
-constexpr const char* bright_spot = "rays find a bright spot on a surface by chance; nothing leads them to it";
 constexpr const char* few_pencils = "line projection: hardly a pencil in the dark rooms sees lit ones";
 constexpr const char* few_paths = "light of a few paths: neither of the two knows the mean to a tenth in this time";
 constexpr const char* coarse_maps = "line projection: pencils near a curved wall are seen from its other side";
@@ -153,9 +153,9 @@ std::vector<StressCase> geometry_cases() {
         row("twelve-decades", "floor of squares from 1e-6 to 1e6, one in the other, under a sky of 1", twelve_decades),
         row(
             "point-light-1e-2", "point light 1e-2 from a floor, seen by what the floor reflects",
-            [](const StressRun& d) { return near_a_wall(d, 1e-2); }, bright_spot, of_truth),
+            [](const StressRun& d) { return near_a_wall(d, 1e-2); }),
         row(
-            "point-light-1e-4", "the same, 1e-4 from it", [](const StressRun& d) { return near_a_wall(d, 1e-4); }, bright_spot, of_truth),
+            "point-light-1e-4", "the same, 1e-4 from it", [](const StressRun& d) { return near_a_wall(d, 1e-4); }),
         row("point-light-0", "point light in the plane of a floor", [](const StressRun& d) { return light_on_the_floor(d, 0); }),
         row("point-light-1e-9", "point light 1e-9 over a floor", [](const StressRun& d) { return light_on_the_floor(d, 1e-9); }),
         row("grazing-1e-2", "floor under a sky of 1, seen from 1e-2 above", [](const StressRun& d) { return grazing(d, 1e-2); }),

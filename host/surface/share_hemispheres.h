@@ -9,8 +9,8 @@
 namespace pencil {
 
 /// radiance[3][capacity] that the texels of pencils first .. first + count send, from the start, becomes the share of it that rays towards
-/// the spots leave to texels. `points`: as trace_hemispheres had it.
+/// the spots leave to texels. `points`, `map`: as trace_hemispheres had them.
 void share_hemispheres(Kernels& kernels, const SurfacePencils& pencils, int first, int count, const DeviceSpots& spots,
-                       const TexelPoints& points, Buffer<float>& radiance, int capacity);
+                       const TexelPoints& points, Buffer<float>& radiance, int capacity, int map = 0);
 
 }  // namespace pencil

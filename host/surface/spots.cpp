@@ -72,16 +72,17 @@ std::vector<Spot> find_spots(const std::vector<glm::vec3>& points, const std::ve
             clusters.back().add(points[i], static_cast<double>(light[i]));
         }
     }
-    const double all =
-        std::accumulate(clusters.begin(), clusters.end(), 0.0, [](double sum, const SpotCluster& c) { return sum + c.light; });
+    const double all = std::accumulate(light.begin(), light.end(), 0.0);
     std::vector<Spot> spots;
     for (const SpotCluster& cluster : clusters) spots.push_back(cluster.spot(reach, all));
     return spots;
 }
 
 DeviceSpots::DeviceSpots(const std::shared_ptr<Device>& device, const std::vector<Spot>& spots)
-    : count(static_cast<int>(spots.size())), found(spots) {
+    : count(std::min(static_cast<int>(spots.size()), SPOTS_MOST)), found(spots) {
     if (found.empty()) return;
+    std::stable_sort(found.begin(), found.end(), [](const Spot& a, const Spot& b) { return a.weight > b.weight; });
+    found.resize(static_cast<std::size_t>(count));
     std::vector<float4> places;
     std::vector<float> of_each;
     for (const Spot& spot : found) {
@@ -92,7 +93,7 @@ DeviceSpots::DeviceSpots(const std::shared_ptr<Device>& device, const std::vecto
     weights = Buffer<float>(device, of_each, "weights of bright spots");
 }
 
-DeviceSpots find_spots(const std::shared_ptr<Device>& device, const Surfels& surfels, const Buffer<float>& radiance, float reach) {
+std::vector<Spot> find_spots(const Surfels& surfels, const Buffer<float>& radiance, float reach) {
     const auto count = static_cast<std::size_t>(surfels.count), capacity = static_cast<std::size_t>(surfels.capacity);
     const std::vector<float> x = surfels.data.read_rows(0, capacity, SURFEL_Z + 1, count), rgb = radiance.read_rows(0, capacity, 3, count);
     std::vector<glm::vec3> points(count);
@@ -102,7 +103,7 @@ DeviceSpots find_spots(const std::shared_ptr<Device>& device, const Surfels& sur
         const float sum = rgb[i] + rgb[count + i] + rgb[2 * count + i];
         light[i] = std::isfinite(sum) ? std::max(sum, 0.0F) : 0.0F;
     }
-    return {device, find_spots(points, light, reach)};
+    return find_spots(points, light, reach);
 }
 
 }  // namespace pencil

@@ -16,14 +16,14 @@ namespace pencil {
 struct Spot {
     glm::vec3 centre;  // [scene units]
     float radius;      // [scene units]
-    float weight;      // its share of the light of all
+    float weight;      // its share of all that is reflected, about
 };
 
 /// At most SPOTS_MOST of them, none if rays in all directions find the light well enough. `points` were met by such rays, each sends so much
 /// `light`; those closer together than `reach` [scene units] may be one spot.
 std::vector<Spot> find_spots(const std::vector<glm::vec3>& points, const std::vector<float>& light, float reach);
 
-/// The spots in device memory.
+/// The spots in device memory, SPOTS_MOST of them at most, those that reflect most.
 struct DeviceSpots {
     DeviceSpots() = default;
     DeviceSpots(const std::shared_ptr<Device>& device, const std::vector<Spot>& spots);
@@ -37,6 +37,6 @@ struct DeviceSpots {
 };
 
 /// Spots among surfels that send `radiance` [3][capacity].
-DeviceSpots find_spots(const std::shared_ptr<Device>& device, const Surfels& surfels, const Buffer<float>& radiance, float reach);
+std::vector<Spot> find_spots(const Surfels& surfels, const Buffer<float>& radiance, float reach);
 
 }  // namespace pencil

@@ -8,6 +8,7 @@
 #include "pencils/low_discrepancy.h"
 #include "surface/film_lobes.h"
 #include "surface/sample_lights.h"
+#include "util/constants.h"
 #include "util/error.h"
 
 namespace pencil {
@@ -28,6 +29,8 @@ constexpr double usual_check = 50, longest_check = 200;
 constexpr double sensor_rays_per_check = 4;
 /// Halvings of the world set where memory is short.
 constexpr int most_thrift = 4;
+/// Point lights that look for surfaces near them.
+constexpr std::size_t most_probes = 32;
 /// Residual of reflections that float's rounding may leave at high albedos: no reason to warn.
 constexpr double least_residual = 1e-3;
 
@@ -45,6 +48,28 @@ LobeLights lobe_lights(const RenderContext& context, const std::vector<LightSamp
     const auto sky = static_cast<double>(std::count_if(samples.begin(), samples.end(), is_sky));
     return {Buffer<float>(context.kernels.device(), near_areas(context.flat, samples, fewer), "near areas of emitters"),
             static_cast<float>(sky / fewer)};
+}
+
+/// Places of the point lights that look for bright spots near them: the strongest.
+std::vector<glm::vec3> point_lights(std::vector<LightSample> samples) {
+    const auto is_no_point = [](const LightSample& s) { return s.position.w == LIGHT_AREA || s.position.w == LIGHT_INFINITE; };
+    samples.erase(std::remove_if(samples.begin(), samples.end(), is_no_point), samples.end());
+    const auto strength = [](const LightSample& s) { return s.emission.x + s.emission.y + s.emission.z; };
+    std::stable_sort(samples.begin(), samples.end(), [&](const LightSample& a, const LightSample& b) { return strength(a) > strength(b); });
+    samples.resize(std::min(samples.size(), most_probes));
+    std::vector<glm::vec3> places;
+    for (const LightSample& s : samples) places.emplace_back(s.position);
+    return places;
+}
+
+/// About, rgb together [W]: of lamps that are near.
+double power_of(const std::vector<LightSample>& samples) {
+    double power = 0;
+    for (const LightSample& s : samples) {
+        const double emission = static_cast<double>(s.emission.x) + static_cast<double>(s.emission.y) + static_cast<double>(s.emission.z);
+        power += s.position.w == LIGHT_INFINITE ? 0 : s.position.w == LIGHT_AREA ? pi * pi * emission : 4 * pi * emission;
+    }
+    return power;
 }
 
 /// Layers of light: those of surfaces hardly gain from further passes.
@@ -171,7 +196,9 @@ void SurfaceMethod::place_world(const SurfacePass& pass, const FilmPixels& pixel
                          near(samples),
                          lobe_lights(context_, of_film, fewer_lights(pass, static_cast<int>(of_film.size()))),
                          lobe_lights(context_, samples, static_cast<double>(samples.size()) / pass.world.light_draws),
-                         lobe_lights(context_, samples, static_cast<double>(samples.size()) / chain_draws)};
+                         lobe_lights(context_, samples, static_cast<double>(samples.size()) / chain_draws),
+                         point_lights(samples),
+                         power_of(samples)};
     solver_ = nullptr;  // its memory first
     solver_ = std::make_unique<SurfaceSolver>(context_.kernels, context_.device_scene, std::move(lights), pass.world, context_.clock,
                                               static_cast<uint>(seed >> 32));

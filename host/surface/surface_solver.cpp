@@ -14,6 +14,7 @@
 #include "surface/guide_hemispheres.h"
 #include "surface/krylov.h"
 #include "surface/measure_hemispheres.h"
+#include "surface/near_lights.h"
 #include "surface/project_contacts.h"
 #include "surface/sample_lights.h"
 #include "surface/share_hemispheres.h"
@@ -37,6 +38,8 @@ constexpr int least_iterations = 3;
 constexpr int most_candidates = 24;
 /// Contacts are seen from nearer than this share of the radius of a pencil: found by trial.
 constexpr float nearness = 0.5F;
+/// What a light lights as far away from it as this share of the distance from which things are seen may be too small for texels.
+constexpr float near_reach = 0.25F;
 /// The world's bounces stop at this share of the tolerance of the image.
 constexpr double tolerance_share = 0.1;
 
@@ -159,17 +162,45 @@ void SurfaceSolver::look_for_spots() {
     if (lights_.samples.maps.count == 0) return;
     Buffer<float> outgoing = surfel_rgb(kernels_.device(), world_.surfels().capacity, "radiance to the world set");
     light(world_.surfels(), quality_.light_draws, outgoing, seed_);
-    spots_ = find_spots(kernels_.device(), world_.surfels(), outgoing, world_.spacing());
+    spots_ = spots_among(outgoing);
+}
+
+/// Among what the world set sees, which sends `outgoing`, and near lights.
+DeviceSpots SurfaceSolver::spots_among(const Buffer<float>& outgoing) {
+    std::vector<Spot> spots = spots_near_lights();
+    const auto known = [&](const Spot& found) {
+        return std::any_of(spots.begin(), spots.end(), [&](const Spot& s) { return glm::distance(s.centre, found.centre) < s.radius; });
+    };
+    std::vector<Spot> found = find_spots(world_.surfels(), outgoing, world_.spacing());
+    found.erase(std::remove_if(found.begin(), found.end(), known), found.end());
+    spots.insert(spots.end(), found.begin(), found.end());
+    return {kernels_.device(), std::move(spots)};
+}
+
+/// Where lights stand too close before surfaces for texels to find what they light.
+std::vector<Spot> SurfaceSolver::spots_near_lights() {
+    if (lights_.points.empty()) return {};
+    const SurfacePencils probes = probes_of(kernels_.device(), lights_.points);
+    Gathered met;
+    reserve(met, probes.count * probes.texels());
+    trace_hemispheres(kernels_, scene_, probes, 0, probes.count, {}, met.surfels);
+    light(met.surfels, quality_.light_draws, met.outgoing, seed_);
+    return near_light_spots(lights_.points, met.surfels, met.outgoing, near_reach * world_.seen_distance(), lights_.power);
+}
+
+/// Rays of these pencils towards bright spots, in guided_ and factors_.
+void SurfaceSolver::guide(const SurfacePencils& pencils, int first, int count, const TexelPoints& points) {
+    reserve(guided_, count * SPOT_RAYS);
+    const auto capacity = static_cast<std::size_t>(guided_.surfels.capacity);
+    if (factors_.size() < capacity) factors_ = Buffer<float>(kernels_.device(), capacity, "factors of guided rays");
+    guide_hemispheres(kernels_, scene_, pencils, first, count, *spots_, points, guided_.surfels, factors_);
+    follow(guided_.surfels);
 }
 
 /// Adds what rays of these pencils towards bright spots find reflected.
 void SurfaceSolver::gather_spots(SurfacePencils& pencils, int first, int count, const TexelPoints& points) {
-    reserve(guided_, count * SPOT_RAYS);
+    guide(pencils, first, count, points);
     auto& [surfels, outgoing, contact] = guided_;
-    if (factors_.size() < static_cast<std::size_t>(surfels.capacity))
-        factors_ = Buffer<float>(kernels_.device(), static_cast<std::size_t>(surfels.capacity), "factors of guided rays");
-    guide_hemispheres(kernels_, scene_, pencils, first, count, *spots_, points, surfels, factors_);
-    follow(surfels);
     light(guided_);
     const SurfacePencils& world = world_.pencils();
     project_surface_pencils(kernels_, surfels, world, world.irradiance, world_.grid(), {pencils, first, SPOT_RAYS},
@@ -206,9 +237,32 @@ void SurfaceSolver::sum_light(bool emission, bool direct, Buffer<float4>& irradi
     if (emission) emit_hemispheres(kernels_, scene_, world_.surfels(), world_.starts(), 0, lights_.near_texel, outgoing);
     if (direct) {
         light(world_.surfels(), quality_.light_draws, outgoing, seed_);
-        if (!spots_) spots_ = find_spots(kernels_.device(), world_.surfels(), outgoing, world_.spacing());
+        if (!spots_) spots_ = spots_among(outgoing);
+        if (spots_->count > 0)
+            share_hemispheres(kernels_, world_.starts(), 0, world_.starts().count, *spots_, world_.points(), outgoing,
+                              world_.surfels().capacity, world_.map());
     }
     sum_hemispheres(kernels_, outgoing, world_.surfels().capacity, 0, 0, pencils.count, world_.map(), irradiance);
+    if (direct && spots_->count > 0) sum_spots(irradiance);
+}
+
+/// Adds what the world set sees of bright spots: rays from where its texels look, whose mean is a pencil's.
+void SurfaceSolver::sum_spots(Buffer<float4>& irradiance) {
+    const SurfacePencils& starts = world_.starts();
+    Buffer<float4> of_starts(kernels_.device(), static_cast<std::size_t>(starts.count), "light of bright spots");
+    of_starts.fill_zero();
+    const int chunk = (chunk_surfels >> quality_.thrift) / SPOT_RAYS;
+    for (int at = 0; at < starts.count; at += chunk) {
+        const int part = std::min(chunk, starts.count - at);
+        guide(starts, at, part, world_.points());
+        light(guided_);
+        sum_guides(kernels_, guided_.outgoing, guided_.surfels.capacity, factors_, at, part, of_starts);
+    }
+    const std::vector<float4> guided = of_starts.read();
+    const std::size_t pencils = static_cast<std::size_t>(world_.pencils().count), each = guided.size() / std::max<std::size_t>(pencils, 1);
+    std::vector<float4> sums = irradiance.read(0, pencils);
+    for (std::size_t i = 0; i < pencils * each; ++i) sums[i / each] += guided[i] / static_cast<float>(each);
+    irradiance.write(sums);
 }
 
 /// Step k is irradiance that the film's pencils reflect as order k + 2: it starts with emission, and reflected light of the

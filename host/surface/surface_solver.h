@@ -32,6 +32,8 @@ struct SurfaceLights {
     LobeLights film;           // the film's samples as surfels with lobes draw them,
     LobeLights drawn;          // the texels' as texels do: few of all,
     LobeLights chains;         // and as chains of the film do: some more
+    std::vector<glm::vec3> points;  // places of point lights, those that matter most [scene units]
+    double power = 0;               // of all light samples, rgb together [W]
 };
 
 /// Whom the irradiance of pencils is for: their own surfels, or others near them, too, so that emitters near them matter.
@@ -99,6 +101,10 @@ private:
     void reserve(Gathered& gathered, int texels);
     void gather_contacts(const Viewers& viewers, int count, const TexelPoints& points);
     void look_for_spots();
+    DeviceSpots spots_among(const Buffer<float>& outgoing);
+    std::vector<Spot> spots_near_lights();
+    void guide(const SurfacePencils& pencils, int first, int count, const TexelPoints& points);
+    void sum_spots(Buffer<float4>& irradiance);
     void gather_spots(SurfacePencils& pencils, int first, int count, const TexelPoints& points);
 
     Kernels& kernels_;

@@ -127,11 +127,12 @@ void WorldSet::gather(int map, std::uint64_t seed) {
             chosen.add(point, seen_.pencils()[static_cast<std::size_t>(seeds_) + p].key, seen_.viewer(static_cast<std::size_t>(point)));
         }
     map_ = map;
+    points_ = {static_cast<uint>(hash64(seed) >> 32)};
     starts_ = SurfacePencils(kernels_.device(), 1, share_map);
     place_surface_pencils(kernels_, seen_surfels_, chosen, starts_);
     const int texels = pencils_.count * map * map;
     if (surfels_.capacity < texels) surfels_ = Surfels(kernels_, texels, "surfels of the world set");
-    trace_hemispheres(kernels_, scene_, starts_, 0, starts_.count, {static_cast<uint>(hash64(seed) >> 32)}, surfels_, 0, map);
+    trace_hemispheres(kernels_, scene_, starts_, 0, starts_.count, points_, surfels_, 0, map);
     follow(0, static_cast<uint>(hash64(seed + 1) >> 32), surfels_);
     links_ = link_surfels(kernels_, surfels_, pencils_, grid_);
 }
@@ -158,11 +159,12 @@ std::vector<WorldSet::SpacedPoint> WorldSet::by_spacing(int first, float width, 
 }
 
 /// A spacing that keeps about `count` of the points, if there are as many.
-float WorldSet::spacing_for(std::size_t count, float guess) const {
+float WorldSet::spacing_for(std::size_t count, float guess) {
     double inverse = 0;
     for (std::size_t i = 0; i < seen_.points().size(); ++i)
         if (seen_.points()[i].albedo > 0) inverse += 1.0 / std::max(glm::distance(seen_.points()[i].position, seen_.viewer(i)), 1e-30F);
     const float middle = static_cast<float>(static_cast<double>(seen_.points().size()) / std::max(inverse, 1e-30));
+    seen_distance_ = middle;
     float spacing = std::min(guess > 0 ? std::max(guess, least_guess * middle) : first_guess * middle, widest);
     for (int k = 0; k < most_guesses; ++k) {
         PointThinner thinner(widest, alike);

@@ -23,6 +23,8 @@ public:
     void cover(const SurfacePencils& seeds, float spacing = 0);
     /// With which as many pencils as wished for lie on what is seen [scene units].
     float spacing() const { return spacing_; }
+    /// From which things are seen: the harmonic mean of all such distances [scene units].
+    float seen_distance() const { return seen_distance_; }
     /// What all pencils see, each from some of the points that read it; other seeds, other points. Maps of `map` x `map` texels.
     void gather(int map, std::uint64_t seed);
 
@@ -41,6 +43,7 @@ public:
     const SurfaceLinks& links() const { return links_; }
     /// Where they see it from: `starts().texels()` of each map in turn.
     const SurfacePencils& starts() const { return starts_; }
+    const TexelPoints& points() const { return points_; }
 
 private:
     struct Spacing {
@@ -53,7 +56,7 @@ private:
     };
 
     std::vector<SpacedPoint> by_spacing(int first, float width, const std::vector<bool>& skip) const;
-    float spacing_for(std::size_t count, float guess) const;
+    float spacing_for(std::size_t count, float guess);
     ChosenSurfels choose(int first, Spacing spacing, PointThinner& thinner, const std::vector<bool>& skip = {}) const;
     void extend(const ChosenSurfels& chosen);
     void fill(const Spacing& spacing);
@@ -72,11 +75,12 @@ private:
 
     // What the seeds see, then what the pencils see from their centres, and host copies of both with seeds and pencils.
     int seeds_ = 0;
-    float spacing_ = 0;
+    float spacing_ = 0, seen_distance_ = 0;
     Surfels seen_surfels_;
     SeenPoints seen_;
     SharedPoints shared_;
 
+    TexelPoints points_;
     int map_ = 0;
     SurfacePencils starts_;
     Surfels surfels_;

@@ -5,7 +5,7 @@
 #include "shared/surface_pencil.h"
 
 /// Cones are at least this wide, the sine of their half angle: narrower ones are not told from their axis by float.
-#define SPOT_LEAST_SINE 0.02f
+#define SPOT_LEAST_SINE 0.001f
 /// Pencils nearer to a spot than so many of its radii see it well enough by their texels.
 #define SPOT_NEAREST 1.5f
 
@@ -50,6 +50,6 @@ static inline float spots_density(const SpotView *v, float3 direction) {
     return density;
 }
 
-/// Number of rays per solid angle [1/sr] at this cosine: of the texels of a map of n * n, and of the guided rays.
-static inline float texels_density(int n, float cosine) { return n * n * M_1_PI_F * fmax(cosine, 0.0f); }
+/// Number of rays per solid angle [1/sr] at this cosine: of so many texels, and of the guided rays.
+static inline float texels_density(int texels, float cosine) { return texels * M_1_PI_F * fmax(cosine, 0.0f); }
 static inline float guides_density(const SpotView *v, float3 direction) { return SPOT_RAYS * spots_density(v, direction); }

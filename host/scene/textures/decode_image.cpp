@@ -19,6 +19,8 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr std::size_t head_size = 64;
+/// No format packs more pixels into a byte (deflate: 1032 bytes of 8 pixels); small files may say what they like.
+constexpr std::uint64_t pixels_of_byte = 8256, free_pixels = 1 << 20;
 constexpr std::uintmax_t max_image_bytes = std::uintmax_t{2} << 30;
 
 unsigned byte_at(std::string_view head, std::size_t i) { return static_cast<unsigned char>(head[i]); }
@@ -46,10 +48,10 @@ public:
         return input;
     }
 
-    /// Of an input that is open.
-    DecodedImage decode(OIIO::ImageInput& input) const {
+    /// Of an input that is open, of so many `bytes`.
+    DecodedImage decode(OIIO::ImageInput& input, std::uint64_t bytes) const {
         const OIIO::ImageSpec& spec = input.spec();
-        check_size(spec);
+        check_size(spec, bytes);
         DecodedImage image;
         image.width = spec.width;
         image.height = spec.height;
@@ -82,7 +84,7 @@ public:
     [[noreturn]] void fail(const std::string& message) const { throw SceneError(where_, in_quotes(name_) + " " + escaped(message, 300)); }
 
 private:
-    void check_size(const OIIO::ImageSpec& spec) const {
+    void check_size(const OIIO::ImageSpec& spec, std::uint64_t bytes) const {
         if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0 || spec.depth > 1) fail("has no pixels");
         if (spec.deep) fail("is a deep image, which cannot be read");
         const std::uint64_t pixels = static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.height);
@@ -90,6 +92,9 @@ private:
             fail("is too large: " + std::to_string(spec.width) + " x " + std::to_string(spec.height) + " pixels; at most " +
                  std::to_string(max_texels) + " are read");
         }
+        if (pixels > free_pixels + pixels_of_byte * bytes)
+            fail("is damaged: " + std::to_string(bytes) + " bytes do not hold " + std::to_string(spec.width) + " x " +
+                 std::to_string(spec.height) + " pixels");
     }
 
     std::string name_;
@@ -128,7 +133,7 @@ DecodedImage decode_image_file(const std::filesystem::path& file, const std::str
         const std::unique_ptr<OIIO::ImageInput> input = decoder.plugin(head, size);
         OIIO::ImageSpec spec;
         if (!input->open(file.string(), spec, as_stored())) decoder.fail("is damaged: " + input->geterror());
-        return decoder.decode(*input);
+        return decoder.decode(*input, size);
     });
 }
 
@@ -142,7 +147,7 @@ DecodedImage decode_image_bytes(std::string_view bytes, const std::string& name,
         void* proxy = &reader;
         config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
         if (!input->open(name, spec, config)) decoder.fail("is damaged: " + input->geterror());
-        DecodedImage image = decoder.decode(*input);
+        DecodedImage image = decoder.decode(*input, bytes.size());
         input->close();  // before the reader goes
         return image;
     });

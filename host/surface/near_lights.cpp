@@ -1,0 +1,94 @@
+#include "surface/near_lights.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "util/constants.h"
+
+namespace pencil {
+
+namespace {
+
+/// Width of the maps that lights look about with.
+constexpr int probe_map = 16;
+/// A light is near what is closer than this share of the spacing of pencils: from there on texels find what it lights.
+constexpr float near_share = 0.25F;
+/// Radius of the smallest sphere in distances of the light: three quarters of what a plane receives. Each further one is so many times as wide.
+constexpr float first_ring = 4, ring_step = 8;
+/// Share of all that is reflected below which spots are not worth their rays.
+constexpr double least_share = 0.02;
+/// About what share of light surfaces reflect, where only light is known.
+constexpr double usual_albedo = 0.5;
+/// Cosines at which rays meet surfaces are taken to be at least this.
+constexpr float least_cosine = 0.02F;
+
+}  // namespace
+
+SurfacePencils probes_of(const std::shared_ptr<Device>& device, const std::vector<glm::vec3>& lights) {
+    std::vector<SurfacePencil> probes;
+    for (const glm::vec3& light : lights)
+        for (const float side : {1.0F, -1.0F}) {
+            SurfacePencil probe{};
+            probe.position = float4(light, 0.0F);
+            probe.normal = probe.facing = {0, 0, side, 0};
+            probe.plane = -1;
+            probe.key = static_cast<uint>(probes.size());
+            probes.push_back(probe);
+        }
+    SurfacePencils pencils(device, static_cast<int>(probes.size()), probe_map);
+    pencils.data.write(probes);
+    pencils.count = static_cast<int>(probes.size());
+    return pencils;
+}
+
+std::vector<Spot> near_light_spots(const std::vector<LightHit>& hits, float reach) {
+    const auto closer = [](const LightHit& a, const LightHit& b) { return a.distance < b.distance; };
+    const auto foot = std::min_element(hits.begin(), hits.end(), closer);
+    if (foot == hits.end() || !(foot->distance < near_share * reach)) return {};
+    std::vector<Spot> spots;
+    float inner = -1;
+    for (float radius = first_ring * std::max(foot->distance, std::numeric_limits<float>::min()); inner < reach;
+         inner = radius, radius *= ring_step) {
+        Spot spot{foot->position, radius, 0};
+        for (const LightHit& hit : hits) {
+            const float apart = glm::distance(hit.position, foot->position);
+            if (std::isfinite(hit.distance) && apart > inner && apart <= radius) spot.weight += static_cast<float>(hit.flux);
+        }
+        if (spot.weight > 0 && radius <= reach) spots.push_back(spot);
+    }
+    return spots;
+}
+
+std::vector<Spot> near_light_spots(const std::vector<glm::vec3>& lights, const Surfels& met, const Buffer<float>& radiance, float reach,
+                                   double power) {
+    const auto count = static_cast<std::size_t>(met.count), capacity = static_cast<std::size_t>(met.capacity);
+    const std::vector<float> s = met.data.read_rows(0, capacity, SURFEL_NZ + 1, count), rgb = radiance.read_rows(0, capacity, 3, count);
+    const std::size_t each = 2 * probe_map * probe_map;
+    std::vector<Spot> spots;
+    double reflected = 0;
+    for (std::size_t light = 0; light < lights.size(); ++light) {
+        std::vector<LightHit> hits;
+        for (std::size_t i = light * each; i < (light + 1) * each; ++i) {
+            const glm::vec3 position(s[i], s[count + i], s[2 * count + i]), normal(s[3 * count + i], s[4 * count + i], s[5 * count + i]);
+            const float sum = rgb[i] + rgb[count + i] + rgb[2 * count + i];
+            const glm::vec3 step = position - lights[light];
+            const float distance = glm::length(step);
+            if (!(glm::dot(normal, normal) > 0) || !(distance > 0) || !std::isfinite(sum)) continue;
+            // The texel's part of the sphere, and of the surface.
+            const float up = std::max(std::abs(step.z) / distance, least_cosine),
+                        lean = std::max(std::abs(glm::dot(step, normal)) / distance, least_cosine);
+            const double area = pi / (probe_map * probe_map) / static_cast<double>(up * lean) * static_cast<double>(distance * distance);
+            hits.push_back({position, distance, pi * area * static_cast<double>(std::max(sum, 0.0F))});
+        }
+        for (const Spot& spot : near_light_spots(hits, reach)) {
+            spots.push_back(spot);
+            reflected += static_cast<double>(spot.weight);
+        }
+    }
+    if (!(reflected > least_share * usual_albedo * power)) return {};
+    for (Spot& spot : spots) spot.weight = static_cast<float>(static_cast<double>(spot.weight) / (usual_albedo * power));
+    return spots;
+}
+
+}  // namespace pencil

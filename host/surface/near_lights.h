@@ -1,0 +1,32 @@
+// Bright spots before which a light stands so close that rays in all directions do not find them: lamps on walls, bulbs in shades. A light looks
+// around for them itself.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "surface/spots.h"
+#include "surface/surface_pencils.h"
+
+namespace pencil {
+
+/// Pencils that look about from these places [scene units]: two for each, back to back.
+SurfacePencils probes_of(const std::shared_ptr<Device>& device, const std::vector<glm::vec3>& lights);
+
+/// What a ray from a light meets.
+struct LightHit {
+    glm::vec3 position;  // [scene units]
+    float distance;      // from the light [scene units], infinite: none
+    double flux;         // that is reflected by the part of the surface which the ray stands for, rgb together [W]
+};
+
+/// Spheres about the place where a light is nearest to a surface, one within the other, as far as `reach` [scene units]; none where it is not
+/// much nearer than that. weight: what each reflects outside of the next smaller one [W].
+std::vector<Spot> near_light_spots(const std::vector<LightHit>& hits, float reach);
+
+/// The spots of all lights from what their probes met, which sends `radiance` [3][capacity]; `power`: of all light [W]. Those that reflect next to
+/// nothing of it are left out; weight: share of what all reflect.
+std::vector<Spot> near_light_spots(const std::vector<glm::vec3>& lights, const Surfels& met, const Buffer<float>& radiance, float reach,
+                                   double power);
+
+}  // namespace pencil
