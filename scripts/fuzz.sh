@@ -30,6 +30,8 @@ for target in "${targets[@]}"; do
     done
     limits=(-max_total_time="$seconds" -timeout=5 -rss_limit_mb=1024 -malloc_limit_mb=256 -print_final_stats=1
             -artifact_prefix="build/fuzz/crash-$target-")
+    # A small file may hold a large picture, and rightly.
+    [[ $target == picture ]] && limits+=(-malloc_limit_mb=2200 -rss_limit_mb=4096)
     [[ -f tests/fuzz/$target.dict ]] && limits+=(-dict="tests/fuzz/$target.dict")
     # OpenImageIO leaves a few bytes behind where libpng jumps out of a damaged picture.
     leaks=1

@@ -13,9 +13,9 @@ namespace {
 /// What sends so many times the mean is bright.
 constexpr double bright = 6;
 /// Spots are worth their rays where this share of the light comes from what is bright,
-constexpr double least_light = 0.25;
+constexpr double least_light = 0.3;
 /// so little is, of what is seen,
-constexpr double most_seen = 0.05;
+constexpr double most_seen = 0.03;
 /// and enough of it that it is no chance.
 constexpr std::size_t least_points = 8;
 /// Radius of a spot in terms of the root mean square distance of its points, and of their reach at least.

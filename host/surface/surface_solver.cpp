@@ -38,6 +38,9 @@ constexpr int least_iterations = 3;
 constexpr int most_candidates = 24;
 /// Contacts are seen from nearer than this share of the radius of a pencil: found by trial.
 constexpr float nearness = 0.5F;
+/// Bright points this share of the distance from which things are seen apart may be one spot: wide cones cost little where light is concentrated, and
+/// hold what is bright about it.
+constexpr float spot_reach = 0.4F;
 /// What a light lights as far away from it as this share of the distance from which things are seen may be too small for texels.
 constexpr float near_reach = 0.25F;
 /// The world's bounces stop at this share of the tolerance of the image.
@@ -171,7 +174,7 @@ DeviceSpots SurfaceSolver::spots_among(const Buffer<float>& outgoing) {
     const auto known = [&](const Spot& found) {
         return std::any_of(spots.begin(), spots.end(), [&](const Spot& s) { return glm::distance(s.centre, found.centre) < s.radius; });
     };
-    std::vector<Spot> found = find_spots(world_.surfels(), outgoing, world_.spacing());
+    std::vector<Spot> found = find_spots(world_.surfels(), outgoing, spot_reach * world_.seen_distance());
     found.erase(std::remove_if(found.begin(), found.end(), known), found.end());
     spots.insert(spots.end(), found.begin(), found.end());
     return {kernels_.device(), std::move(spots)};

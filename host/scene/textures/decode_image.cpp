@@ -19,8 +19,8 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr std::size_t head_size = 64;
-/// No format packs more pixels into a byte (deflate: 1032 bytes of 8 pixels); small files may say what they like.
-constexpr std::uint64_t pixels_of_byte = 8256, free_pixels = 1 << 20;
+/// Formats pack no more pixels into a byte: runs of 128 in a few bytes, or deflate's 1032 bytes of 8 pixels each. Small files may say what they like.
+constexpr std::uint64_t pixels_of_run_byte = 128, pixels_of_byte = 8256, free_pixels = 1 << 20;
 constexpr std::uintmax_t max_image_bytes = std::uintmax_t{2} << 30;
 
 unsigned byte_at(std::string_view head, std::size_t i) { return static_cast<unsigned char>(head[i]); }
@@ -51,7 +51,7 @@ public:
     /// Of an input that is open, of so many `bytes`.
     DecodedImage decode(OIIO::ImageInput& input, std::uint64_t bytes) const {
         const OIIO::ImageSpec& spec = input.spec();
-        check_size(spec, bytes);
+        check_size(spec, input.format_name(), bytes);
         DecodedImage image;
         image.width = spec.width;
         image.height = spec.height;
@@ -84,7 +84,7 @@ public:
     [[noreturn]] void fail(const std::string& message) const { throw SceneError(where_, in_quotes(name_) + " " + escaped(message, 300)); }
 
 private:
-    void check_size(const OIIO::ImageSpec& spec, std::uint64_t bytes) const {
+    void check_size(const OIIO::ImageSpec& spec, const std::string& format, std::uint64_t bytes) const {
         if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0 || spec.depth > 1) fail("has no pixels");
         if (spec.deep) fail("is a deep image, which cannot be read");
         const std::uint64_t pixels = static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.height);
@@ -92,7 +92,8 @@ private:
             fail("is too large: " + std::to_string(spec.width) + " x " + std::to_string(spec.height) + " pixels; at most " +
                  std::to_string(max_texels) + " are read");
         }
-        if (pixels > free_pixels + pixels_of_byte * bytes)
+        const bool packs_runs = format == "targa" || format == "bmp" || format == "pnm" || format == "hdr";
+        if (pixels > free_pixels + (packs_runs ? pixels_of_run_byte : pixels_of_byte) * bytes)
             fail("is damaged: " + std::to_string(bytes) + " bytes do not hold " + std::to_string(spec.width) + " x " +
                  std::to_string(spec.height) + " pixels");
     }
