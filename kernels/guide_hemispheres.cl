@@ -72,11 +72,12 @@ APART static void guide_hemispheres_packet(int first, global const SurfacePencil
 ///          in trace_hemispheres; the scene and its hierarchy
 /// out    : surfels that the rays meet, ray k of pencil first_pencil + p at p * SPOT_RAYS + k; factors[pencil_count * SPOT_RAYS]: irradiance
 ///          of the pencil for radiance along the ray [sr], 0: the ray sees nothing
-kernel void guide_hemispheres(global const SurfacePencil *pencils, int first_pencil, int pencil_count, int texels, global const float4 *spots,
-                              global const float *weights, int spot_count, uint seed, uint2 shift, global const BvhNode *nodes,
-                              global const int *leaves, SURFACES_PARAMETERS, global float *surfels, int capacity, global float *factors) {
+kernel void guide_hemispheres(global const SurfacePencil *pencils, int first_pencil, int pencil_count, int texels,
+                              global const float4 *spots, global const float *weights, int spot_count, uint seed, uint2 shift,
+                              global const BvhNode *nodes, global const int *leaves, SURFACES_PARAMETERS, global float *surfels,
+                              int capacity, global float *factors) {
     int first = get_global_id(0) * PENCIL_WIDTH;
     if (first >= pencil_count * SPOT_RAYS) return;
-    guide_hemispheres_packet(first, pencils, first_pencil, texels, spots, weights, spot_count, seed, shift, nodes, leaves, SURFACES_ARGUMENTS,
-                             surfels, capacity, factors);
+    guide_hemispheres_packet(first, pencils, first_pencil, texels, spots, weights, spot_count, seed, shift, nodes, leaves,
+                             SURFACES_ARGUMENTS, surfels, capacity, factors);
 }

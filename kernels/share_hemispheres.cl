@@ -7,8 +7,8 @@
 /// in     : pencils; texels, n, seed, shift: as in trace_hemispheres; spots, weights: as in guide_hemispheres
 /// in/out : radiance[3][capacity] that the texels send, `texels` entries per pencil: times their share
 kernel void share_hemispheres(global const SurfacePencil *pencils, int first_pencil, int pencil_count, int texels, int n, uint seed,
-                              uint2 shift, global const float4 *spots, global const float *weights, int spot_count,
-                              global float *radiance, int capacity) {
+                              uint2 shift, global const float4 *spots, global const float *weights, int spot_count, global float *radiance,
+                              int capacity) {
     int item = get_global_id(0);
     if (item >= pencil_count) return;
     global const SurfacePencil *pencil = pencils + first_pencil + item;

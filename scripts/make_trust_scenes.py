@@ -176,6 +176,17 @@ def uplight():
           (1.5, 1.3, 1.8), (-0.3, 0.8, -1), body, 60)
 
 
+def bulb(x, y, z, intensity):
+    return (f'    <emitter type="point"><point name="position" x="{x}" y="{y}" z="{z}"/><rgb name="intensity" value="{intensity}"/></emitter>\n')
+
+
+def wall_lamps():
+    body = (room(0.1, (-2, 0, -2), (2, 2.4, 2), diffuse(0.65)) + box((-0.4, 0, -0.2), (0.4, 1.2, 0.6), BLUE) + bulb(-1.97, 1.9, -1, '5, 4.5, 4') +
+            bulb(0.2, 2.38, -1.7, '2, 2, 2.2'))
+    scene('wall-lamps', 'Two bulbs, 3 cm before a wall and 2 cm under the ceiling. Hard: half of the light of each is reflected by a spot as small as a plate.',
+          (1.6, 1.5, 1.5), (-0.2, 1, -0.5), body, 70)
+
+
 def maze():
     walls = ''.join(wall_with_hole(2 * k, 0.1, 0, 3, 2.4, (0.2, 0.9, 0, 2) if k % 2 else (2.1, 2.8, 0, 2), PLASTER if k % 3 else RED) for k in range(1, 10))
     body = (room(0.1, (0, 0, 0), (20, 2.4, 3)) + walls + floor_like(0.3, 0.3, (1, 2.38, 1.5), BLACK + emitter(300), False) +
@@ -208,7 +219,7 @@ def contacts():
 
 def main():
     OUT.mkdir(parents=True, exist_ok=True)
-    for make in (outdoor_rooms, tunnel, ground_plane, far_light, relief, thin_lamp, cove, uplight, maze, coincident, bright_room, contacts):
+    for make in (outdoor_rooms, tunnel, ground_plane, far_light, relief, thin_lamp, cove, uplight, wall_lamps, maze, coincident, bright_room, contacts):
         make()
 
 

@@ -154,11 +154,9 @@ std::vector<StressCase> geometry_cases() {
         row("needles", "the same furnace with 500 white needles, a millionth as wide as long",
             [](const StressRun& d) { return even_two(d, needle_scene(), stress_options(MethodName::surface)); }),
         row("twelve-decades", "floor of squares from 1e-6 to 1e6, one in the other, under a sky of 1", twelve_decades),
-        row(
-            "point-light-1e-2", "point light 1e-2 from a floor, seen by what the floor reflects",
+        row("point-light-1e-2", "point light 1e-2 from a floor, seen by what the floor reflects",
             [](const StressRun& d) { return near_a_wall(d, 1e-2); }),
-        row(
-            "point-light-1e-4", "the same, 1e-4 from it", [](const StressRun& d) { return near_a_wall(d, 1e-4); }),
+        row("point-light-1e-4", "the same, 1e-4 from it", [](const StressRun& d) { return near_a_wall(d, 1e-4); }),
         row("point-light-0", "point light in the plane of a floor", [](const StressRun& d) { return light_on_the_floor(d, 0); }),
         row("point-light-1e-9", "point light 1e-9 over a floor", [](const StressRun& d) { return light_on_the_floor(d, 1e-9); }),
         row("grazing-1e-2", "floor under a sky of 1, seen from 1e-2 above", [](const StressRun& d) { return grazing(d, 1e-2); }),

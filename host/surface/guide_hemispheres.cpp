@@ -8,8 +8,8 @@ void guide_hemispheres(Kernels& kernels, const DeviceScene& scene, const Surface
                        const DeviceSpots& spots, const TexelPoints& points, Surfels& surfels, Buffer<float>& factors) {
     surfels.count = count * SPOT_RAYS;
     kernels.get("guide_hemispheres")
-        .args(pencils.data, first, count, pencils.texels(), spots.list(), points.seed, sobol_2d(points.turn), scene.hierarchy(), scene.surfaces(),
-              surfels.store(), factors)
+        .args(pencils.data, first, count, pencils.texels(), spots.list(), points.seed, sobol_2d(points.turn), scene.hierarchy(),
+              scene.surfaces(), surfels.store(), factors)
         .run(kernels.packets(surfels.count), "guide hemispheres");
 }
 

@@ -343,7 +343,8 @@ bool SurfaceMethod::enough(double pace) {
     }
     const PassErrors errors = mean_.errors();
     if (mean_.count() >= 2) clock.set_fraction(std::min(options.target_error / errors.error, 1.0));
-    const Patience::Answer answer = patience_.ask({mean_.count(), course_.work, errors.error, errors.sure_error, errors.mean_error, errors.certified});
+    const Patience::Answer answer =
+        patience_.ask({mean_.count(), course_.work, errors.error, errors.sure_error, errors.mean_error, errors.certified});
     context_.stats.stopped = answer.reason.value_or("");
     return answer.enough;
 }
@@ -370,7 +371,7 @@ std::vector<std::string> SurfaceMethod::explain() const {
                              : std::string("the rest is a geometric series"),
             solve.spectral_radius, context_.stats.residual));
     if (solver_ && context_.wanted(2))
-        lines.push_back(solver_->spots() > 0 ? fmt::format("bright spots: film pencils send rays of their own to {}", solver_->spots())
+        lines.push_back(solver_->spots() > 0 ? fmt::format("bright spots: pencils send rays of their own to {}", solver_->spots())
                                              : "left out: rays to bright spots: rays in all directions find the light");
     if (solver_ && course_.film_rays > 0 && check_length() > longest_check)
         lines.push_back("left out: check by light paths (too many reflections matter); the error is that of the spread of passes alone");

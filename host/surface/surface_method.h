@@ -44,7 +44,7 @@ private:
         float guess = 0;                         // and this guess of their spacing,
         float spacing = 0;                       // which became this
         int thrift = 0;                          // times that memory was short: each halves what the world set takes
-        double work = 0;       // of all, as Patience counts it
+        double work = 0;                         // of all, as Patience counts it
         double pixel_noise = 0, mean_noise = 0;  // of a pass, when the world set was placed
         WorldBalance balance;
         SurfaceSolver::Course solver;

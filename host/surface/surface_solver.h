@@ -26,12 +26,12 @@ struct WorldQuality {
 
 /// What lights surface pencils.
 struct SurfaceLights {
-    LightSet samples;          // that texels draw from
-    Buffer<float> near_film;   // near_areas of the film's light samples,
-    Buffer<float> near_texel;  // and of those
-    LobeLights film;           // the film's samples as surfels with lobes draw them,
-    LobeLights drawn;          // the texels' as texels do: few of all,
-    LobeLights chains;         // and as chains of the film do: some more
+    LightSet samples;               // that texels draw from
+    Buffer<float> near_film;        // near_areas of the film's light samples,
+    Buffer<float> near_texel;       // and of those
+    LobeLights film;                // the film's samples as surfels with lobes draw them,
+    LobeLights drawn;               // the texels' as texels do: few of all,
+    LobeLights chains;              // and as chains of the film do: some more
     std::vector<glm::vec3> points;  // places of point lights, those that matter most [scene units]
     double power = 0;               // of all light samples, rgb together [W]
 };

@@ -58,8 +58,9 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Trust,
                          testing::Values(Hard{"outdoor-rooms", {}, 4e-3, 0.06}, Hard{"tunnel", {}, 2e-3, 0.03},
                                          Hard{"ground-plane", {{"extent", "1e6"}}, 5e-3, 0.03},
                                          Hard{"far-light", {{"distance", "1e4"}, {"size", "2.5e3"}}, 1e-2, 0.05},
-                                         Hard{"uplight", {}, 1e-2, 0.02}, Hard{"bright-room", {{"albedo", "0.97"}}, 1e-2, 0.025},
-                                         Hard{"contacts", {}, 1e-2, 0.02}, Hard{"coincident", {}, 1e-2, 0.02}));
+                                         Hard{"uplight", {}, 1e-2, 0.02}, Hard{"wall-lamps", {}, 1e-3, 0.02},
+                                         Hard{"bright-room", {{"albedo", "0.97"}}, 1e-2, 0.025}, Hard{"contacts", {}, 1e-2, 0.02},
+                                         Hard{"coincident", {}, 1e-2, 0.02}));
 
 /// Where few directions find the light, film pencils send rays of their own to it, and only there.
 TEST(TrustSpots, AreFoundWhereLightIsHidden) {
@@ -68,9 +69,11 @@ TEST(TrustSpots, AreFoundWhereLightIsHidden) {
         options.target_error = 1;
         const RenderResult result = render_layers(load({name, {}, 0, 0}), options);
         return std::any_of(result.stats.explain.begin(), result.stats.explain.end(),
-                           [](const std::string& line) { return line.find("bright spots: film pencils send") == 0; });
+                           [](const std::string& line) { return line.find("bright spots: pencils send") == 0; });
     };
     EXPECT_TRUE(spots("uplight"));
+    EXPECT_TRUE(spots("wall-lamps"));
+    EXPECT_FALSE(spots("contacts"));
     EXPECT_FALSE(spots("bright-room"));
 }
 

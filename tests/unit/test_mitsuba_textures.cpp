@@ -147,6 +147,9 @@ TEST_F(MitsubaTextures, BadPicturesAreErrors) {
     expect("", "is not a picture in a known format");
     expect("GIF89a", "is not a picture in a known format");
     expect("P6 100000 100000 255\n", "is too large");
+    // A TGA of runs, 10000 x 10000, and nothing behind its header.
+    expect(std::string("\0\0\x0a\0\0\0\0\0\0\0\0\0\x10\x27\x10\x27\x18\0", 18) + std::string(64, '\x7f'),
+           "do not hold 10000 x 10000 pixels");
     expect("P6 100 100 255\nabc", "");
     expect(std::string("\x89PNG\r\n\x1a\n", 8) + "nothing", "is damaged");
     expect(std::string("\xff\xd8\xff", 3), "is damaged");

@@ -60,17 +60,16 @@ TEST(Patience, AnErrorThatFallsNoFurtherEndsIt) {
     const End end = end_of([](int passes) { return PassesSoFar{passes, double(passes), 2 * target, 2 * target, 0, unchecked}; });
     EXPECT_EQ(end.passes, 64);
     EXPECT_NE(end.reason.find("falls no further"), std::string::npos) << end.reason;
-    EXPECT_EQ(end_of([](int passes) { return PassesSoFar{passes, double(passes), 1000 * target, 1000 * target, 0, unchecked}; }).passes, 16);
-    EXPECT_EQ(end_of([](int passes) {
-                  return PassesSoFar{passes, double(passes), 2 * target, 2 * target, 1, unchecked};
-              }).passes,
-              128)
+    EXPECT_EQ(end_of([](int passes) { return PassesSoFar{passes, double(passes), 1000 * target, 1000 * target, 0, unchecked}; }).passes,
+              16);
+    EXPECT_EQ(end_of([](int passes) { return PassesSoFar{passes, double(passes), 2 * target, 2 * target, 1, unchecked}; }).passes, 128)
         << "as long as the mean is not known";
     // The noise of light paths does not say that there is no hope.
     EXPECT_EQ(end_of([](int passes) { return PassesSoFar{passes, double(passes), 1000 * target, target, 0, unchecked}; }).passes, 64);
     // One that falls by a fifth from doubling to doubling is worth waiting for.
     const End slow = end_of([](int passes) {
-        return PassesSoFar{passes, double(passes), 50 * target * std::pow(passes, -0.33), 50 * target * std::pow(passes, -0.33), 0, unchecked};
+        return PassesSoFar{passes, double(passes), 50 * target * std::pow(passes, -0.33), 50 * target * std::pow(passes, -0.33),
+                           0,      unchecked};
     });
     EXPECT_EQ(slow.passes, 256);
     EXPECT_NE(slow.reason.find("above --target-error"), std::string::npos) << slow.reason;
