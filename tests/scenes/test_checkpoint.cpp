@@ -65,6 +65,22 @@ TEST(Checkpoint, GoesOnAsIfItHadNeverStopped) { expect_the_same_from_every_step(
 
 TEST(Checkpoint, GoesOnWithEveryKindOfLightAndMaterial) { expect_the_same_from_every_step(room_of_everything()); }
 
+/// Stopped after each step: nothing drifts.
+TEST(Checkpoint, GoesOnAgainAndAgain) {
+    const Scene scene = room_of_everything();
+    const Straight straight = run_straight(scene);
+    std::vector<char> state = straight.states.front();
+    for (int step = 1; step < steps; ++step) {
+        RenderSession session(scene, small_options(), device());
+        session.resume(state);
+        session.advance();
+        state = session.save();
+    }
+    RenderSession last(scene, small_options(), device());
+    last.resume(state);
+    EXPECT_TRUE(same(last.snapshot(), straight.layers));
+}
+
 TEST(Checkpoint, ARenderThatHasEndedGoesOnOnlyWhereItIsAskedTo) {
     const Scene scene = cie_cube(0.5);
     RenderOptions options = small_options();
