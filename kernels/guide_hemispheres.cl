@@ -37,7 +37,8 @@ APART static void guide_hemispheres_packet(int first, global const SurfacePencil
     global const SurfacePencil *pencil = pencils + first_pencil + first / SPOT_RAYS;
     float4 origin = (float4)(pencil->position.xyz, 0.0f);
     SpotView view = view_spots(pencil, spots, weights, spot_count);
-    uint key = hash_uint(pencil->key + hash_uint(seed ^ 0x9e3779b9u));
+    // Pencils of one key, those that share a map, look elsewhere.
+    uint key = hash_uint(pencil->key + hash_uint(seed ^ 0x9e3779b9u) + 0x85ebca6bu * (uint)(first / SPOT_RAYS));
     float d[3][PENCIL_WIDTH], factor[PENCIL_WIDTH];
 #pragma unroll 1
     for (int l = 0; l < PENCIL_WIDTH; ++l) {

@@ -41,7 +41,7 @@ void add_warnings(RunReport& report, const std::vector<std::string>& warnings) {
 }
 
 RenderResult render_with_progress(const Scene& scene, const RenderCommand& command, const RunReport& report,
-                                  const std::shared_ptr<Device>& device) {
+                                  std::shared_ptr<Device>& device) {
     ProgressDisplay display(command.quiet ? ProgressDisplay::Style::none : ProgressDisplay::style_for(stderr));
     const Progress progress = [&display](const std::string& stage, double fraction) {
         display.update(stage, fraction);
@@ -51,11 +51,14 @@ RenderResult render_with_progress(const Scene& scene, const RenderCommand& comma
     // A device that was asked for by name is not replaced by another.
     std::set<int> failed;
     if (command.device.empty())
-        care.next_device = [&failed](const Device& one) {
+        care.next_device = [&](const Device& one) {
             failed.insert(one.info().index);
-            return Device::open_another(failed);
+            std::shared_ptr<Device> next = Device::open_another(failed);
+            if (next) device = next;
+            return next;
         };
-    return render(scene, report.options, device, progress, care);
+    const std::shared_ptr<Device> first = device;
+    return render(scene, report.options, first, progress, care);
 }
 
 void take_result(RunReport& report, const RenderResult& result, Device& device) {
@@ -98,11 +101,12 @@ ExitCode run_render(const RenderCommand& command) {
     if (has_photometric(command.options.aovs)) add_warnings(report, mixed_lights(scene, command.options.lumens_per_watt));
     check_film_memory(report.width, report.height, report.options.aovs);
 
-    const std::shared_ptr<Device> device = timed(report, "open device", [&] { return Device::open(command.device); });
+    std::shared_ptr<Device> device = timed(report, "open device", [&] { return Device::open(command.device); });
     report.device = device->info();
     report.packet_width = device->packet_width();
 
     const RenderResult result = render_with_progress(scene, command, report, device);
+    report.device = device->info();  // another may have gone on
     take_result(report, result, *device);
     add_warnings(report, result.stats.warnings);
     if (result.layers.empty()) {

@@ -73,7 +73,7 @@ std::vector<glm::dvec3> ErrorCheck::estimate(const Film& film, const std::vector
 void ErrorCheck::transfer(Archive& archive, std::size_t pixels) {
     archive(points_, emission_, weight_, half_done_);
     if (!archive.reads()) return;
-    Archive::expect(emission_.empty() || emission_.size() == 3 * pixels, "the emission has another size");
+    Archive::expect(emission_.size() == (weight_ == 0 ? 0 : 3 * pixels), "the emission has another size");
     for (const std::vector<Point>* points : {&points_, &half_done_})
         for (const Point& p : *points) Archive::expect(p.pixel < pixels, "a check lies outside the image");
 }

@@ -48,6 +48,8 @@ void LayerMean::add(std::vector<Layer> layers, double weight, int generation, in
         mean_ = std::move(layers);
         return;
     }
+    for (std::size_t l = 0; l < layers.size(); ++l)
+        Archive::expect(l < mean_.size() && layers[l].pixels.size() == mean_[l].pixels.size(), "images of one mean have other layers");
     const double share = weight / weight_;
     for (std::size_t l = 0; l < layers.size(); ++l)
         for (std::size_t i = 0; i < mean_[l].pixels.size(); ++i)
@@ -207,11 +209,16 @@ void LayerMean::transfer(Archive& archive, std::size_t pixels) {
     Archive::expect(count_ >= 0 && (count_ > 0) == !mean_.empty() && !weights_.empty(), "no mean of images");
     Archive::expect(mean_.empty() ? first_.empty() : mean_.front().pixels.size() == first_.size() && first_.size() == 3 * pixels,
                     "no beauty");
+    Archive::expect(mean_.empty() || mean_.front().channels == 3, "the beauty has no colours");
     const auto check = [&](const Sum& sum) {
+        Archive::expect(std::isfinite(sum.weight) && sum.weight >= 0, "a weight is none");
         Archive::expect(sum.value.size() == (sum.weight == 0 ? 0 : first_.size()), "a sum of images has another size");
     };
     for (const Sums* sums : {&of_, &of_set_}) std::for_each(sums->begin(), sums->end(), check);
     for (const Halves* halves : {&now_, &before_}) std::for_each(halves->begin(), halves->end(), check);
+    for (int s = 0; s < sequences; ++s)
+        Archive::expect((of_[static_cast<std::size_t>(s)].weight > 0) == (s < count_), "a sequence has no images");
+    Archive::expect(std::isfinite(weight_) && (weight_ > 0) == (count_ > 0), "the mean has no weight");
 }
 
 std::vector<Layer> LayerMean::take() {

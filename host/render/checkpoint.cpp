@@ -11,6 +11,7 @@
 #include "options/render_option_table.h"
 #include "scene/scene_fingerprint.h"
 #include "util/archive.h"
+#include "util/environment.h"
 #include "util/error.h"
 #include "util/output_file.h"
 
@@ -57,6 +58,7 @@ RenderIdentity render_identity(const Scene& scene, const RenderOptions& options,
                             {"kernels", kernels_fingerprint()},
                             {"device", device.info().name},
                             {"driver", device.info().driver},
+                            {"PENCIL_KERNEL_DIR", environment("PENCIL_KERNEL_DIR")},
                             {"PENCIL_WIDTH", std::to_string(device.packet_width())}};
     RenderOptions shown = options;
     for (const Option& row : render_option_table(shown))

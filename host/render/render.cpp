@@ -28,15 +28,23 @@ public:
                 break;
             } catch (const DeviceError& error) {
                 if (move_on(error)) continue;
-                if (!session_ || !session_->has_step()) throw;
+                failure = error.what();
+                break;
+            } catch (const MemoryError& error) {
+                if (!failed_) throw;  // what another device has left does not fit this one
                 failure = error.what();
                 break;
             }
+        if (!failure.empty() && !(session_ && session_->has_step())) session_ = std::move(failed_);
+        if (!session_) throw DeviceError(failure);
         RenderResult result = session_->finish();
         result.failure = failure;
         result.stats.warnings.insert(result.stats.warnings.end(), warnings_.begin(), warnings_.end());
         return result;
     }
+
+    /// That the render has ended on.
+    const std::shared_ptr<Device>& device() const { return device_; }
 
 private:
     /// A session on the device, which goes on from what there is.
@@ -66,14 +74,20 @@ private:
         clock_.written_in(watch.seconds());
     }
 
-    /// To another device, with what was finished.
+    /// To another device, with what was finished; the session that failed is kept until there is more.
     bool move_on(const DeviceError& error) {
-        if (!care_.next_device) return false;
-        if (session_ && session_->has_step() && session_->resumable()) state_ = session_->save();
-        const std::shared_ptr<Device> next = care_.next_device(*device_);
+        if (session_ && session_->has_step()) {
+            if (session_->resumable()) state_ = session_->save();
+            failed_ = std::move(session_);
+        }
+        session_ = nullptr;
+        std::shared_ptr<Device> next;
+        try {
+            if (care_.next_device) next = care_.next_device(*device_);
+        } catch (const DeviceError&) {  // that one has failed, too
+        }
         if (!next) return false;
         warnings_.push_back(fmt::format("{} failed: {}; {} goes on", device_->info().name, error.what(), next->info().name));
-        session_ = nullptr;
         device_ = next;
         return true;
     }
@@ -83,7 +97,7 @@ private:
     std::shared_ptr<Device> device_;
     const Progress& progress_;
     const RenderCare& care_;
-    std::unique_ptr<RenderSession> session_;
+    std::unique_ptr<RenderSession> session_, failed_;
     RenderIdentity identity_;
     std::vector<char> state_;  // of a session whose device failed
     CheckpointClock clock_;
@@ -95,11 +109,18 @@ private:
 
 RenderResult render(const Scene& scene, const RenderOptions& options, const std::shared_ptr<Device>& device, const Progress& progress,
                     const RenderCare& care) {
-    RenderResult result = CarefulRender(scene, options, device, progress, care).run();
+    CarefulRender careful(scene, options, device, progress, care);
+    RenderResult result = careful.run();
     const auto solve_irradiance = [&] {
         if (result.interrupted || !result.failure.empty()) return IrradianceImage{{}, {}, true, true};
         const Stopwatch watch;
-        RenderResult found = CarefulRender(scene, irradiance_options(options), device, progress, {{}, {}, care.next_device}).run();
+        RenderResult found;
+        try {
+            found = CarefulRender(scene, irradiance_options(options), careful.device(), progress, {{}, {}, care.next_device}).run();
+        } catch (const DeviceError& error) {  // the image is there
+            result.failure = error.what();
+            return IrradianceImage{{}, {}, true, true};
+        }
         result.stats.stages.push_back({illuminance_layer, watch.seconds(), 0, 0, {}});
         result.failure = found.failure;
         return IrradianceImage{std::move(found.layers), std::move(found.stats.warnings), found.interrupted, found.stats.converged};

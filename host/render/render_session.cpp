@@ -103,11 +103,14 @@ void RenderSession::resume(std::vector<char> state) {
     archive(complete_, until.target_error, until.seconds);
     try {
         method_->transfer(archive);
+        has_step_ = true;
+    } catch (const Stopped&) {
+        has_step_ = ended_ = true;  // all but the world set has been read
+        return;
     } catch (...) {
         ended_ = true;
         throw;
     }
-    has_step_ = true;
     ended_ = complete_ && until.target_error == context_->options.target_error && until.seconds == context_->options.seconds;
 }
 

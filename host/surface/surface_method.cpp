@@ -27,6 +27,8 @@ constexpr double rays_per_check = 32;
 constexpr double usual_check = 50, longest_check = 200;
 /// The same of sensors: they are measured, so much of the time goes into knowing how well.
 constexpr double sensor_rays_per_check = 4;
+/// A checkpoint has at most so many.
+constexpr int most_passes = 1 << 24;
 /// Halvings of the world set where memory is short.
 constexpr int most_thrift = 4;
 /// Point lights that look for surfaces near them.
@@ -67,7 +69,7 @@ double power_of(const std::vector<LightSample>& samples) {
     double power = 0;
     for (const LightSample& s : samples) {
         const double emission = static_cast<double>(s.emission.x) + static_cast<double>(s.emission.y) + static_cast<double>(s.emission.z);
-        power += s.position.w == LIGHT_INFINITE ? 0 : s.position.w == LIGHT_AREA ? pi * pi * emission : 4 * pi * emission;
+        power += s.position.w == LIGHT_INFINITE ? 0 : s.position.w == LIGHT_AREA ? pi * emission : 4 * pi * emission;
     }
     return power;
 }
@@ -129,13 +131,18 @@ bool SurfaceMethod::advance() {
 bool SurfaceMethod::add_pass() {
     while (true) {
         const Course before = course_;
+        const RenderStats stats = context_.stats;
+        const auto undo = [&] {
+            course_ = before;
+            if (mean_.count() > 0) context_.stats = stats;
+        };
         try {
             return add_pass(pass(course_.index));
         } catch (const MemoryError& error) {
-            course_ = before;
+            undo();
             if (!be_thrifty(error)) throw;
         } catch (...) {
-            course_ = before;
+            undo();
             throw;
         }
     }
@@ -222,13 +229,19 @@ void SurfaceMethod::transfer(Archive& archive) {
     double seconds = context_.clock.seconds();
     archive(course_, patience_, seconds, context_.receivers);
     archive(stats.bounces, stats.residual, stats.passes, stats.world_pencils, stats.film_pencils, stats.film_surfels, stats.converged);
-    archive(stats.bounce_solve, stats.warnings);
+    archive(stats.bounce_solve, stats.warnings, stats.stopped);
     mean_.transfer(archive);
     if (!archive.reads()) return;
     Archive::expect(archive.remaining() == 0, "there is more than a solve");
     Archive::expect(course_.index == mean_.count() && course_.index > 0 && course_.placed_by >= 0 && course_.placed_by < course_.index &&
                         course_.thrift >= 0 && course_.thrift <= most_thrift,
                     "no passes");
+    Archive::expect(course_.index <= most_passes && course_.wish > 0, "more passes than there can be");
+    for (const double value : {course_.film_rays, course_.work, course_.pixel_noise, course_.mean_noise, seconds,
+                               static_cast<double>(course_.guess), static_cast<double>(course_.spacing)})
+        Archive::expect(std::isfinite(value) && value >= 0, "a number is none");
+    for (const Spot& spot : course_.solver.spots)
+        Archive::expect(std::isfinite(glm::length(spot.centre) + spot.radius + spot.weight), "a bright spot is nowhere");
     Archive::expect(course_.solver.spots.size() <= SPOTS_MOST, "too many bright spots");
     context_.clock.go_on_after(seconds);
     resume();

@@ -238,15 +238,17 @@ void SurfaceSolver::sum_light(bool emission, bool direct, Buffer<float4>& irradi
     const SurfacePencils& pencils = world_.pencils();
     Buffer<float> outgoing = surfel_rgb(kernels_.device(), world_.surfels().capacity, "radiance to the world set");
     if (emission) emit_hemispheres(kernels_, scene_, world_.surfels(), world_.starts(), 0, lights_.near_texel, outgoing);
+    // Texels in which spots are found are not to count less where they found them: only the next ones share them with rays.
+    const bool guided = direct && spots_ && spots_->count > 0;
     if (direct) {
         light(world_.surfels(), quality_.light_draws, outgoing, seed_);
         if (!spots_) spots_ = spots_among(outgoing);
-        if (spots_->count > 0)
+        if (guided)
             share_hemispheres(kernels_, world_.starts(), 0, world_.starts().count, *spots_, world_.points(), outgoing,
                               world_.surfels().capacity, world_.map());
     }
     sum_hemispheres(kernels_, outgoing, world_.surfels().capacity, 0, 0, pencils.count, world_.map(), irradiance);
-    if (direct && spots_->count > 0) sum_spots(irradiance);
+    if (guided) sum_spots(irradiance);
 }
 
 /// Adds what the world set sees of bright spots: rays from where its texels look, whose mean is a pencil's.

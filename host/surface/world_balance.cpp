@@ -36,8 +36,10 @@ double WorldBalance::noise() const {
 /// The least of (weight noise / W + rest) (W + film_rays) over W. The mean is to be known mean_share times as well as pixels: so much more it weighs.
 double WorldBalance::rays(double film_rays, double pixel, double mean) const {
     constexpr double weight = 1 / (mean_share * mean_share);
-    const double now = last_rays_ > 0 ? noise() / last_rays_ : 0, rest = pixel + weight * std::max(mean - now, 0.0);
-    return rest > 0 ? std::sqrt(weight * noise() * film_rays / rest) : 0;
+    // No more of the mean's noise than there is: some of what counts as the world's light comes by other ways.
+    const double own = std::min(noise(), mean * last_rays_), now = last_rays_ > 0 ? own / last_rays_ : 0;
+    const double rest = pixel + weight * std::max(mean - now, 0.0);
+    return rest > 0 ? std::sqrt(weight * own * film_rays / rest) : 0;
 }
 
 }  // namespace pencil

@@ -39,13 +39,16 @@ TEST(WorldBalance, KnowsNothingOfSinglePasses) {
     EXPECT_EQ(dark.noise(), 0);
 }
 
-/// Four times the noise: twice the rays, of either kind.
+/// Four times the noise: twice the rays, of either kind, where all noise of the mean is the world's.
 TEST(WorldBalance, RaysGrowAsTheRootOfTheNoise) {
-    const double once = balance_of(50, 1e4, 1, 40, 20).rays(1e5, 1e-2, 0), often = balance_of(200, 1e4, 1, 40, 20).rays(1e5, 1e-2, 0);
+    constexpr double used = 1e4;
+    const WorldBalance one = balance_of(50, used, 1, 40, 20), four = balance_of(200, used, 1, 40, 20);
+    const double once = one.rays(1e5, 1e-2, one.noise() / used), often = four.rays(1e5, 1e-2, four.noise() / used);
     EXPECT_NEAR(often / once, 2, 0.01);
-    EXPECT_NEAR(balance_of(50, 1e4, 1, 40, 20).rays(4e5, 1e-2, 0) / once, 2, 0.01);
-    EXPECT_LT(balance_of(50, 1e4, 1, 40, 20).rays(1e5, 4e-2, 0), 0.6 * once) << "more noise of pixels: that is to be lowered first";
-    EXPECT_LT(balance_of(50, 1e4, 1, 40, 20).rays(1e5, 1e-2, 0.1), once) << "noise of the mean that has another cause";
+    EXPECT_NEAR(one.rays(4e5, 1e-2, one.noise() / used) / once, 2, 0.01);
+    EXPECT_LT(one.rays(1e5, 4e-2, one.noise() / used), 0.6 * once) << "more noise of pixels: that is to be lowered first";
+    EXPECT_LT(one.rays(1e5, 1e-2, 0.1), once) << "noise of the mean that has another cause";
+    EXPECT_LT(one.rays(1e5, 1e-2, 0.01 * one.noise() / used), 0.2 * once) << "the world has no more noise than the mean";
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr std::size_t head_size = 64;
-/// Formats pack no more pixels into a byte: runs of 128 in a few bytes, or deflate's 1032 bytes of 8 pixels each. Small files may say what they like.
+/// Formats pack no more pixels into a byte, but for TIFF's codes: runs of 128 in a few bytes, or deflate's 1032 bytes of 8 pixels each. Small files may say what they like.
 constexpr std::uint64_t pixels_of_run_byte = 128, pixels_of_byte = 8256, free_pixels = 1 << 20;
 constexpr std::uintmax_t max_image_bytes = std::uintmax_t{2} << 30;
 
@@ -93,7 +93,7 @@ private:
                  std::to_string(max_texels) + " are read");
         }
         const bool packs_runs = format == "targa" || format == "bmp" || format == "pnm" || format == "hdr";
-        if (pixels > free_pixels + (packs_runs ? pixels_of_run_byte : pixels_of_byte) * bytes)
+        if (format != "tiff" && pixels > free_pixels + (packs_runs ? pixels_of_run_byte : pixels_of_byte) * bytes)
             fail("is damaged: " + std::to_string(bytes) + " bytes do not hold " + std::to_string(spec.width) + " x " +
                  std::to_string(spec.height) + " pixels");
     }
