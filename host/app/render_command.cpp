@@ -120,7 +120,8 @@ ExitCode run_render(const RenderCommand& command) {
     if (!command.stats.empty()) write_stats(command.stats, report, command);
     if (command.explain) print_explanation(std::cout, report);
     if (!command.quiet) print_summary(std::cout, report, written);
-    if (!result.failure.empty()) {
+    // A signal takes files away from a driver that is building a kernel: no failure of its own.
+    if (!result.failure.empty() && interrupted_by() == 0) {
         print_error(result.failure + "; what was finished is written", LineBreaks::keep);
         return ExitCode::device;
     }
