@@ -181,8 +181,8 @@ def bulb(x, y, z, intensity):
 
 
 def wall_lamps():
-    body = (room(0.1, (-2, 0, -2), (2, 2.4, 2), diffuse(0.65)) + box((-0.4, 0, -0.2), (0.4, 1.2, 0.6), BLUE) + bulb(-1.97, 1.9, -1, '5, 4.5, 4') +
-            bulb(0.2, 2.38, -1.7, '2, 2, 2.2'))
+    body = (room(0.1, (-2, 0, -2), (2, 2.4, 2), diffuse(0.65)) + box((-0.4, 0, -0.2), (0.4, 1.2, 0.6), BLUE) + bulb(-1.97, 1.9, -1, '1, 0.9, 0.8') +
+            bulb(0.2, 2.38, -1.7, '0.4, 0.4, 0.44'))
     scene('wall-lamps', 'Two bulbs, 3 cm before a wall and 2 cm under the ceiling. Hard: half of the light of each is reflected by a spot as small as a plate.',
           (1.6, 1.5, 1.5), (-0.2, 1, -0.5), body, 70)
 

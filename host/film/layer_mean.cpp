@@ -11,14 +11,6 @@
 
 namespace pencil {
 
-namespace {
-
-double average(const std::vector<float>& values) {
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-}  // namespace
-
 double student(int values) {
     constexpr std::array<double, 3> few{6.48, 2.20, 1.62};
     const int freedom = std::max(values - 1, 1);
@@ -42,8 +34,6 @@ void LayerMean::add(std::vector<Layer> layers, double weight, int generation, in
     if (set >= 0) of_set_[static_cast<std::size_t>(set) % of_set_.size()].add(layers.front().pixels, first_, weight);
     weights_.back() += weight;
     weight_ += weight;
-    const double step = average(layers.front().pixels) - average(first_);
-    for (std::size_t k = 0; k < squares_.size(); ++k) squares_[k] += weight * weight * (k == 0 ? 1 : k == 1 ? step : step * step);
     if (count_++ == 0) {
         mean_ = std::move(layers);
         return;
@@ -164,15 +154,6 @@ double LayerMean::variance_of_mean(const Sums& sums, std::size_t i) const {
     return sum / (weight_ * weight_);
 }
 
-/// sum(W^2 (M - mean)^2) / sum(W)^2 over images of weight W, times n / (n - 1).
-double LayerMean::mean_standard_error() const {
-    if (count_ < 2) return std::numeric_limits<double>::infinity();
-    const double mean = average(mean_.front().pixels), step = mean - average(first_);
-    if (!(mean > 0)) return 0;
-    const double sum = squares_[2] - 2 * step * squares_[1] + step * step * squares_[0];
-    return std::sqrt(std::max(sum, 0.0) * count_ / (count_ - 1.0)) / (weight_ * mean);
-}
-
 /// By the sequences, or, where there are sets, by these if they differ more: each of them lies in all sequences.
 double LayerMean::mean_square_noise() const {
     const double noise = relative_mean([&](std::size_t i) { return variance_of_mean(of_, i); });
@@ -201,7 +182,7 @@ void LayerMean::append_error(std::vector<Layer>& layers) const {
 }
 
 void LayerMean::transfer(Archive& archive, std::size_t pixels) {
-    archive(count_, weight_, mean_, first_, of_, of_set_, generation_, weights_, now_, before_, last_square_, squares_);
+    archive(count_, weight_, mean_, first_, of_, of_set_, generation_, weights_, now_, before_, last_square_);
     if (!archive.reads()) return;
     for (const Layer& layer : mean_)
         Archive::expect(layer.channels > 0 && layer.pixels.size() == pixels * static_cast<std::size_t>(layer.channels),

@@ -36,10 +36,6 @@ public:
     /// The part of it that the spread of the sequences shows.
     double mean_square_noise() const;
 
-    /// Estimated standard error of the beauty's mean over all pixels, relative to it, from the spread of the images: there are more of them than
-    /// of sequences, whose few means agree by chance now and then. Infinite before two images.
-    double mean_standard_error() const;
-
     /// The layers of the mean; with two images or more a layer "error" follows: the estimated error of every beauty value. Leaves nothing
     /// behind.
     std::vector<Layer> take();
@@ -76,7 +72,6 @@ private:
     Sums of_, of_set_;          // of the sequences; of the kinds of sets
     int generation_ = 0;
     std::vector<double> weights_{0.0};  // of the generations
-    std::array<double, 3> squares_{};   // sums of weight^2 * mean^k, mean: of all pixels of an image, less the first's
     Halves now_, before_;               // of the generation and the last
     double last_square_ = 0;            // shared_square() of the last
 };

@@ -1,12 +1,12 @@
 // The image as the mean of the passes, and how wrong it is: by the spread of the passes and by light paths.
 #pragma once
 
-#include <cmath>
 #include <vector>
 
 #include "certify/error_check.h"
 #include "film/layer_mean.h"
 #include "film/render_context.h"
+#include "film/weighted_mean.h"
 #include "surface/surface_pass.h"
 #include "util/archive.h"
 
@@ -34,7 +34,7 @@ public:
 
     /// Estimated relative variances of a pixel, and of the mean of all, in one pass; 0 before there are two.
     double noise_of_pixels() const { return mean_.count() > 1 ? mean_.mean_square_noise() * mean_.count() : 0; }
-    double noise_of_mean() const { return mean_.count() > 1 ? std::pow(mean_.mean_standard_error(), 2) * mean_.count() : 0; }
+    double noise_of_mean() const;
 
     /// The layers as they are shown, with the error of the beauty; needs a pass. take() leaves nothing behind.
     std::vector<Layer> snapshot() const;
@@ -44,11 +44,13 @@ public:
     void transfer(Archive& archive);
 
 private:
+    double mean_error_of_pixels() const;
     const LayerMean& shown(LayerMean& copy) const;
     bool spreads_outliers() const;
 
     RenderContext& context_;
     LayerMean mean_;
+    WeightedMean of_pixels_;  // means of all pixels, by world sets
     ErrorCheck check_;
 };
 

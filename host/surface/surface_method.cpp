@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "pencils/low_discrepancy.h"
+#include "surface/explain_bounces.h"
 #include "surface/film_lobes.h"
 #include "surface/sample_lights.h"
-#include "util/constants.h"
 #include "util/error.h"
 
 namespace pencil {
@@ -27,12 +27,6 @@ constexpr double rays_per_check = 32;
 constexpr double usual_check = 50, longest_check = 200;
 /// The same of sensors: they are measured, so much of the time goes into knowing how well.
 constexpr double sensor_rays_per_check = 4;
-/// A checkpoint has at most so many.
-constexpr int most_passes = 1 << 24;
-/// Halvings of the world set where memory is short.
-constexpr int most_thrift = 4;
-/// Point lights that look for surfaces near them.
-constexpr std::size_t most_probes = 32;
 /// Residual of reflections that float's rounding may leave at high albedos: no reason to warn.
 constexpr double least_residual = 1e-3;
 
@@ -42,36 +36,6 @@ Buffer<float> copy_of(const Kernels& kernels, const Buffer<float>& values, const
     Buffer<float> copy(kernels.device(), values.size(), what);
     copy.copy_from(values, 0, 0, values.size());
     return copy;
-}
-
-/// `fewer`: of so many samples one is drawn.
-LobeLights lobe_lights(const RenderContext& context, const std::vector<LightSample>& samples, double fewer) {
-    const auto is_sky = [](const LightSample& s) { return s.position.w == LIGHT_INFINITE && s.normal.w > 0; };
-    const auto sky = static_cast<double>(std::count_if(samples.begin(), samples.end(), is_sky));
-    return {Buffer<float>(context.kernels.device(), near_areas(context.flat, samples, fewer), "near areas of emitters"),
-            static_cast<float>(sky / fewer)};
-}
-
-/// Places of the point lights that look for bright spots near them: the strongest.
-std::vector<glm::vec3> point_lights(std::vector<LightSample> samples) {
-    const auto is_no_point = [](const LightSample& s) { return s.position.w == LIGHT_AREA || s.position.w == LIGHT_INFINITE; };
-    samples.erase(std::remove_if(samples.begin(), samples.end(), is_no_point), samples.end());
-    const auto strength = [](const LightSample& s) { return s.emission.x + s.emission.y + s.emission.z; };
-    std::stable_sort(samples.begin(), samples.end(), [&](const LightSample& a, const LightSample& b) { return strength(a) > strength(b); });
-    samples.resize(std::min(samples.size(), most_probes));
-    std::vector<glm::vec3> places;
-    for (const LightSample& s : samples) places.emplace_back(s.position);
-    return places;
-}
-
-/// About, rgb together [W]: of lamps that are near.
-double power_of(const std::vector<LightSample>& samples) {
-    double power = 0;
-    for (const LightSample& s : samples) {
-        const double emission = static_cast<double>(s.emission.x) + static_cast<double>(s.emission.y) + static_cast<double>(s.emission.z);
-        power += s.position.w == LIGHT_INFINITE ? 0 : s.position.w == LIGHT_AREA ? pi * emission : 4 * pi * emission;
-    }
-    return power;
 }
 
 /// Layers of light: those of surfaces hardly gain from further passes.
@@ -130,7 +94,7 @@ bool SurfaceMethod::advance() {
 /// A pass, if need be with less memory. What fails leaves no trace.
 bool SurfaceMethod::add_pass() {
     while (true) {
-        const Course before = course_;
+        const PassCourse before = course_;
         const RenderStats stats = context_.stats;
         const auto undo = [&] {
             course_ = before;
@@ -191,21 +155,8 @@ bool SurfaceMethod::add_direct(const SurfacePass& pass, std::uint64_t seed) {
 
 /// The world set of the passes from this one on, from what its frame shows.
 void SurfaceMethod::place_world(const SurfacePass& pass, const FilmPixels& pixels) {
-    const auto& device = context_.kernels.device();
     const std::uint64_t seed = hash64(hash64(context_.options.seed) + static_cast<std::uint64_t>(pass.world_set) + 1);
-    const std::vector<LightSample> samples = sample_lights(context_.scene, context_.flat, context_.forms, pass.texel_light_samples, seed);
-    const std::vector<LightSample>& of_film = frame_->light_samples();
-    const auto near = [&](const std::vector<LightSample>& s) {
-        return Buffer<float>(device, near_areas(context_.flat, s), "near areas of emitters");
-    };
-    SurfaceLights lights{samples.empty() ? LightSet() : LightSet(device, samples, 0),
-                         near(of_film),
-                         near(samples),
-                         lobe_lights(context_, of_film, fewer_lights(pass, static_cast<int>(of_film.size()))),
-                         lobe_lights(context_, samples, static_cast<double>(samples.size()) / pass.world.light_draws),
-                         lobe_lights(context_, samples, static_cast<double>(samples.size()) / chain_draws),
-                         point_lights(samples),
-                         power_of(samples)};
+    SurfaceLights lights = surface_lights(context_, pass, frame_->light_samples(), seed);
     solver_ = nullptr;  // its memory first
     solver_ = std::make_unique<SurfaceSolver>(context_.kernels, context_.device_scene, std::move(lights), pass.world, context_.clock,
                                               static_cast<uint>(seed >> 32));
@@ -225,24 +176,13 @@ void SurfaceMethod::resume() {
 }
 
 void SurfaceMethod::transfer(Archive& archive) {
-    RenderStats& stats = context_.stats;
     double seconds = context_.clock.seconds();
     archive(course_, patience_, seconds, context_.receivers);
-    archive(stats.bounces, stats.residual, stats.passes, stats.world_pencils, stats.film_pencils, stats.film_surfels, stats.converged);
-    archive(stats.bounce_solve, stats.warnings, stats.stopped);
+    transfer_stats(context_.stats, archive);
     mean_.transfer(archive);
     if (!archive.reads()) return;
-    Archive::expect(archive.remaining() == 0, "there is more than a solve");
-    Archive::expect(course_.index == mean_.count() && course_.index > 0 && course_.placed_by >= 0 && course_.placed_by < course_.index &&
-                        course_.thrift >= 0 && course_.thrift <= most_thrift,
-                    "no passes");
-    Archive::expect(course_.index <= most_passes && course_.wish > 0, "more passes than there can be");
-    for (const double value : {course_.film_rays, course_.work, course_.pixel_noise, course_.mean_noise, seconds,
-                               static_cast<double>(course_.guess), static_cast<double>(course_.spacing)})
-        Archive::expect(std::isfinite(value) && value >= 0, "a number is none");
-    for (const Spot& spot : course_.solver.spots)
-        Archive::expect(std::isfinite(glm::length(spot.centre) + spot.radius + spot.weight), "a bright spot is nowhere");
-    Archive::expect(course_.solver.spots.size() <= SPOTS_MOST, "too many bright spots");
+    Archive::expect(archive.remaining() == 0 && course_.index == mean_.count(), "there is more or less than a solve");
+    Archive::expect(std::isfinite(seconds) && seconds >= 0, "time is none");
     context_.clock.go_on_after(seconds);
     resume();
 }
@@ -331,15 +271,7 @@ void SurfaceMethod::report_bounces() {
     stats.bounce_solve = solver_->bounces();
     if (!stats.converged || solver_->residual() <= std::max(context_.options.tolerance, least_residual)) return;
     stats.converged = false;
-    stats.warnings.push_back(
-        stats.bounce_solve.has_sum
-            ? fmt::format(
-                  "reflections are not added up to --tolerance: what is missing is estimated as {:.2g} of them, each of many leaves "
-                  "{:.7f} of the light; albedos a little lower or --bounces K help",
-                  stats.residual, stats.bounce_solve.spectral_radius)
-            : fmt::format("light has no way out and no surface keeps it (albedo 1 in a closed scene): reflections have no sum, the image "
-                          "shows the first {} of them; lower the albedos or say --bounces K",
-                          stats.bounce_solve.steps + 2));
+    stats.warnings.push_back(unfinished_bounces(stats.bounce_solve, stats.residual));
 }
 
 double SurfaceMethod::estimated_error() const { return mean_.errors().error; }
@@ -376,13 +308,7 @@ std::vector<std::string> SurfaceMethod::explain() const {
     std::vector<std::string> lines{
         "visibility: always rays through the hierarchy; no geometry maps, so no choice among ways to make them",
         "indirect light: pencils on surfaces; left out: octahedral maps of pencils, density, weights, shrinking sets"};
-    const BounceSolve& solve = context_.stats.bounce_solve;
-    if (solve.steps > 0)
-        lines.push_back(fmt::format(
-            "reflections between pencils: {} one by one, {}; each of many leaves about {:.6f} of the light, residual {:.2g}", solve.steps,
-            solve.krylov > 0 ? fmt::format("the rest by GMRES in {} applications", solve.krylov)
-                             : std::string("the rest is a geometric series"),
-            solve.spectral_radius, context_.stats.residual));
+    if (context_.stats.bounce_solve.steps > 0) lines.push_back(explain_bounces(context_.stats.bounce_solve, context_.stats.residual));
     if (solver_ && context_.wanted(2))
         lines.push_back(solver_->spots() > 0 ? fmt::format("bright spots: pencils send rays of their own to {}", solver_->spots())
                                              : "left out: rays to bright spots: rays in all directions find the light");

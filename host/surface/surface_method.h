@@ -7,11 +7,11 @@
 #include "film/frame.h"
 #include "film/method.h"
 #include "surface/film_pencils.h"
+#include "surface/pass_course.h"
 #include "surface/pass_mean.h"
 #include "surface/patience.h"
 #include "surface/surface_pass.h"
 #include "surface/surface_solver.h"
-#include "surface/world_balance.h"
 #include "util/error.h"
 
 namespace pencil {
@@ -34,25 +34,6 @@ public:
     void transfer(Archive& archive) override;
 
 private:
-    /// Where the passes stand: what the next one needs of those before, beside sums.
-    struct Course {
-        int index = 0;                           // of the next pass
-        double film_rays = 0;                    // of film pencils of the last one
-        int world_set = -1;                      // that was placed last,
-        int placed_by = 0;                       // by this pass,
-        int wish = 1;                            // with so many pencils in mind
-        float guess = 0;                         // and this guess of their spacing,
-        float spacing = 0;                       // which became this
-        int thrift = 0;                          // times that memory was short: each halves what the world set takes
-        double work = 0;                         // of all, as Patience counts it
-        double pixel_noise = 0, mean_noise = 0;  // of a pass, when the world set was placed
-        WorldBalance balance;
-        SurfaceSolver::Course solver;
-        void transfer(Archive& archive) {
-            archive(index, film_rays, world_set, placed_by, wish, guess, spacing, thrift, work, pixel_noise, mean_noise, balance, solver);
-        }
-    };
-
     bool add_pass();
     bool add_pass(const SurfacePass& pass);
     bool be_thrifty(const MemoryError& error);
@@ -74,7 +55,7 @@ private:
 
     RenderContext& context_;
     int emitters_ = 0;  // shapes whose light is sampled
-    Course course_;
+    PassCourse course_;
     double begun_ = 0;  // when the last pass ended [s]
     Patience patience_;
     PassMean mean_;

@@ -142,22 +142,22 @@ void SurfaceSolver::gather(SurfacePencils& pencils, int first, int count, const 
         measure_hemispheres(kernels_, surfels, 0, at, part, pencils);
         if (reach == Reach::others) approach_emitters(kernels_, scene_, surfels, at, part, lights_.near_film, pencils);
         follow(surfels);
-        const auto emit = [&] { emit_hemispheres(kernels_, scene_, seen_.surfels, pencils, at, lights_.near_film, seen_.outgoing); };
-        const bool guided = direct_ && spots_ && spots_->count > 0;
-        if (!guided) emit();
         if (direct_) light(seen_);
-        if (const SurfacePencils& world = world_.pencils(); world.count > 0) {
-            project_surface_pencils(kernels_, surfels, world, world.irradiance, world_.grid(), {pencils, at}, contacts_ ? nearness : 0,
-                                    outgoing, contact);
-            // Texels and rays towards spots share what is reflected; contacts and emission are left to texels.
-            if (guided) share_hemispheres(kernels_, pencils, at, part, *spots_, points, outgoing, surfels.capacity);
-            if (contacts_) gather_contacts({pencils, at}, part, points);
-        }
-        if (guided) emit();
+        const SurfacePencils& world = world_.pencils();
+        const Reading reading{world.irradiance, contacts_ ? nearness : 0};
+        if (world.count > 0)
+            project_surface_pencils(kernels_, surfels, world, reading.irradiance, world_.grid(), {pencils, at}, reading.nearness, outgoing,
+                                    contact);
+        // Texels and rays towards spots share what is reflected; contacts and emission are left to texels.
+        if (has_spots()) share_hemispheres(kernels_, pencils, at, part, *spots_, points, outgoing, surfels.capacity);
+        if (contacts_ && world.count > 0) gather_contacts({pencils, at}, part, points);
+        emit_hemispheres(kernels_, scene_, surfels, pencils, at, lights_.near_film, outgoing);
         sum_hemispheres(kernels_, outgoing, surfels.capacity, 0, at, part, pencils.n, pencils.irradiance);
-        if (guided) gather_spots(pencils, at, part, points);
+        if (has_spots()) gather_spots(pencils, at, part, points, reading);
     }
 }
+
+bool SurfaceSolver::has_spots() const { return direct_ && spots_ && spots_->count > 0; }
 
 /// Bright spots among what the world set sees, where no bounce has looked for them.
 void SurfaceSolver::look_for_spots() {
@@ -201,13 +201,13 @@ void SurfaceSolver::guide(const SurfacePencils& pencils, int first, int count, c
 }
 
 /// Adds what rays of these pencils towards bright spots find reflected.
-void SurfaceSolver::gather_spots(SurfacePencils& pencils, int first, int count, const TexelPoints& points) {
+void SurfaceSolver::gather_spots(SurfacePencils& pencils, int first, int count, const TexelPoints& points, const Reading& reading) {
     guide(pencils, first, count, points);
     auto& [surfels, outgoing, contact] = guided_;
     light(guided_);
     const SurfacePencils& world = world_.pencils();
-    project_surface_pencils(kernels_, surfels, world, world.irradiance, world_.grid(), {pencils, first, SPOT_RAYS},
-                            contacts_ ? nearness : 0, outgoing, contact);
+    project_surface_pencils(kernels_, surfels, world, reading.irradiance, world_.grid(), {pencils, first, SPOT_RAYS}, reading.nearness,
+                            outgoing, contact);
     sum_guides(kernels_, outgoing, surfels.capacity, factors_, first, count, pencils.irradiance);
 }
 
@@ -224,12 +224,14 @@ void SurfaceSolver::gather_contacts(const Viewers& viewers, int count, const Tex
     auto& [surfels, outgoing, unused] = beyond_;
     trace_hemispheres(kernels_, scene_, pencils, 0, pencils.count, points, surfels);
     follow(surfels);
-    emit_hemispheres(kernels_, scene_, surfels, pencils, 0, lights_.near_texel, outgoing);
     light(beyond_);
     const SurfacePencils& world = world_.pencils();
-    project_surface_pencils(kernels_, surfels, world, limited_ ? shorter_ : world.irradiance, world_.grid(), {pencils, 0}, 0, outgoing,
-                            unused);
+    const Reading reading{limited_ ? shorter_ : world.irradiance, 0};
+    project_surface_pencils(kernels_, surfels, world, reading.irradiance, world_.grid(), {pencils, 0}, reading.nearness, outgoing, unused);
+    if (has_spots()) share_hemispheres(kernels_, pencils, 0, pencils.count, *spots_, points, outgoing, surfels.capacity);
+    emit_hemispheres(kernels_, scene_, surfels, pencils, 0, lights_.near_texel, outgoing);
     sum_hemispheres(kernels_, outgoing, surfels.capacity, 0, 0, pencils.count, pencils.n, pencils.irradiance);
+    if (has_spots()) gather_spots(pencils, 0, pencils.count, points, reading);
     project_contacts(kernels_, seen_.surfels, contacts, pencils, seen_.outgoing);
 }
 
@@ -239,7 +241,7 @@ void SurfaceSolver::sum_light(bool emission, bool direct, Buffer<float4>& irradi
     Buffer<float> outgoing = surfel_rgb(kernels_.device(), world_.surfels().capacity, "radiance to the world set");
     if (emission) emit_hemispheres(kernels_, scene_, world_.surfels(), world_.starts(), 0, lights_.near_texel, outgoing);
     // Texels in which spots are found are not to count less where they found them: only the next ones share them with rays.
-    const bool guided = direct && spots_ && spots_->count > 0;
+    const bool guided = direct && has_spots();
     if (direct) {
         light(world_.surfels(), quality_.light_draws, outgoing, seed_);
         if (!spots_) spots_ = spots_among(outgoing);

@@ -9,31 +9,17 @@
 #include "surface/follow_surfels.h"
 #include "surface/project_surface_pencils.h"
 #include "surface/spots.h"
+#include "surface/surface_lights.h"
 #include "surface/world_set.h"
 #include "util/archive.h"
 
 namespace pencil {
-
-/// Light samples that a packet of chains of the film draws: each chain is seen by itself.
-constexpr int chain_draws = 8;
 
 /// How finely the world set is sampled.
 struct WorldQuality {
     int pencils = 1000;   // about so many if every surface reflects light that matters
     int light_draws = 4;  // light samples of a packet of texels
     int thrift = 0;       // halvings of what is worked on at once
-};
-
-/// What lights surface pencils.
-struct SurfaceLights {
-    LightSet samples;               // that texels draw from
-    Buffer<float> near_film;        // near_areas of the film's light samples,
-    Buffer<float> near_texel;       // and of those
-    LobeLights film;                // the film's samples as surfels with lobes draw them,
-    LobeLights drawn;               // the texels' as texels do: few of all,
-    LobeLights chains;              // and as chains of the film do: some more
-    std::vector<glm::vec3> points;  // places of point lights, those that matter most [scene units]
-    double power = 0;               // of all light samples, rgb together [W]
 };
 
 /// Whom the irradiance of pencils is for: their own surfels, or others near them, too, so that emitters near them matter.
@@ -105,7 +91,13 @@ private:
     std::vector<Spot> spots_near_lights();
     void guide(const SurfacePencils& pencils, int first, int count, const TexelPoints& points);
     void sum_spots(Buffer<float4>& irradiance);
-    void gather_spots(SurfacePencils& pencils, int first, int count, const TexelPoints& points);
+    /// How texels read the world set: this irradiance of its pencils, and none nearer than this share of their radius.
+    struct Reading {
+        const Buffer<float4>& irradiance;
+        float nearness;
+    };
+    bool has_spots() const;
+    void gather_spots(SurfacePencils& pencils, int first, int count, const TexelPoints& points, const Reading& reading);
 
     Kernels& kernels_;
     const DeviceScene& scene_;

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "reference/path_tracer.h"
+#include "render/render_session.h"
 #include "scene/formats/load_scene.h"
 #include "scenes/scene_builder.h"
 
@@ -75,6 +76,27 @@ TEST(TrustSpots, AreFoundWhereLightIsHidden) {
     EXPECT_TRUE(spots("wall-lamps"));
     EXPECT_FALSE(spots("contacts"));
     EXPECT_FALSE(spots("bright-room"));
+}
+
+/// Rays to spots take noise, not light: passes of many seeds have the mean of one long render: the first, whose world set finds its spots, and the
+/// first four.
+TEST(TrustSpots, TakeNoLight) {
+    const Scene scene = load({"uplight", {}, 0, 0});
+    RenderOptions options;
+    options.target_error = 1e-3;
+    const double expected = mean(layer(render_layers(scene, options), "").pixels);
+    constexpr int seeds = 24;
+    double first = 0, fourth = 0;
+    options.aovs = {};
+    for (options.seed = 1; options.seed <= seeds; ++options.seed) {
+        RenderSession session(scene, options, device());
+        session.advance();
+        first += mean(session.snapshot().front().pixels) / seeds;
+        for (int pass = 1; pass < 4; ++pass) session.advance();
+        fourth += mean(session.snapshot().front().pixels) / seeds;
+    }
+    EXPECT_NEAR(first / expected, 1.0, 0.05);
+    EXPECT_NEAR(fourth / expected, 1.0, 0.02);
 }
 
 /// The image hardly depends on how far the ground goes on.

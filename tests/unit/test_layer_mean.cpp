@@ -61,30 +61,6 @@ TEST(LayerMean, EstimatesTheErrorOfTheMean) {
         EXPECT_NEAR(estimate_over_truth(40, 2.0, power), 1.0, 0.1) << "variance by weight^" << -power;
 }
 
-/// Images whose pixels all err alike: their mean over all pixels is as wrong as each. Far from the truth it is seen at all sizes of images.
-TEST(LayerMean, KnowsHowWellTheMeanOfAllPixelsIsKnown) {
-    ref::Random random(11);
-    for (const int images : {2, 5, 20}) {
-        double squares = 0, truth = 0;
-        constexpr int trials = 4000;
-        for (int trial = 0; trial < trials; ++trial) {
-            LayerMean mean;
-            double weights = 0, variance = 0;
-            for (int k = 0; k < images; ++k) {
-                const double weight = 1 + k / 4, sigma = 0.1 * std::sqrt(12.0);
-                const float value = static_cast<float>(2 + sigma * (random.uniform() - 0.5));
-                mean.add({{"", 3, std::vector<float>(6, value)}}, weight, 0);
-                weights += weight;
-                variance += weight * weight * 0.01;
-            }
-            const double error = mean.mean_standard_error() * static_cast<double>(mean.beauty().front());
-            squares += error * error / trials;
-            truth = variance / (weights * weights);
-        }
-        EXPECT_NEAR(squares / truth, 1.0, 0.1) << images << " images";
-    }
-}
-
 TEST(LayerMean, StudentsIntervalsAreThoseOfTables) {
     EXPECT_NEAR(student(2) * 1.96, 12.706, 0.02);
     EXPECT_NEAR(student(4) * 1.96, 3.182, 0.02);
