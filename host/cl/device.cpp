@@ -2,10 +2,10 @@
 #include "cl/device.h"
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "cl/cl_error.h"
 #include "cl/discovery.h"
+#include "util/environment.h"
 #include "util/error.h"
 
 namespace pencil {
@@ -17,11 +17,11 @@ constexpr double usable_memory = 0.9;
 constexpr std::size_t events_kept = 256;
 
 int width_from_environment() {
-    const char* text = std::getenv("PENCIL_WIDTH");
-    if (!text || !*text) return 0;
+    const std::string text = environment("PENCIL_WIDTH");
+    if (text.empty()) return 0;
     for (int width : {1, 4, 8, 16})
         if (text == std::to_string(width)) return width;
-    throw UsageError(std::string("PENCIL_WIDTH=") + text + " is not 1, 4, 8 or 16");
+    throw UsageError("PENCIL_WIDTH=" + text + " is not 1, 4, 8 or 16");
 }
 
 }  // namespace
@@ -37,20 +37,20 @@ std::shared_ptr<Device> Device::open(const std::string& selector) {
     std::vector<DeviceInfo> infos;
     infos.reserve(found.size());
     for (const FoundDevice& device : found) infos.push_back(device.info);
-    const char* preferred = std::getenv("PENCIL_DEVICE");
-    const FoundDevice& chosen = found[select_device(infos, selector.empty() && preferred ? preferred : selector)];
-    return cl_call([&] { return "opening OpenCL device " + chosen.info.name; },
-                   [&] { return std::shared_ptr<Device>(new Device(chosen.handle, chosen.info)); });
+    return open_found(found[select_device(infos, selector.empty() ? environment("PENCIL_DEVICE") : selector)]);
 }
 
 std::shared_ptr<Device> Device::open_another(const std::set<int>& but) {
     std::vector<FoundDevice> found = find_devices();
     std::stable_partition(found.begin(), found.end(), [](const FoundDevice& device) { return !device.info.is_cpu; });
     for (const FoundDevice& device : found)
-        if (but.count(device.info.index) == 0)
-            return cl_call([&] { return "opening OpenCL device " + device.info.name; },
-                           [&] { return std::shared_ptr<Device>(new Device(device.handle, device.info)); });
+        if (but.count(device.info.index) == 0) return open_found(device);
     return nullptr;
+}
+
+std::shared_ptr<Device> Device::open_found(const FoundDevice& found) {
+    return cl_call([&] { return "opening OpenCL device " + found.info.name; },
+                   [&] { return std::shared_ptr<Device>(new Device(found.handle, found.info)); });
 }
 
 Device::Device(cl::Device device, DeviceInfo info)

@@ -32,6 +32,8 @@ std::string no_device_advice();
 /// Time that the device spent on a finished command [s].
 double event_seconds(const cl::Event& event);
 
+struct FoundDevice;
+
 class Device {
 public:
     /// `selector`: index, or part of the name or platform (any case), "cpu", "gpu", or empty: $PENCIL_DEVICE if
@@ -79,6 +81,7 @@ public:
 
 private:
     Device(cl::Device device, DeviceInfo info);
+    static std::shared_ptr<Device> open_found(const FoundDevice& found);
     void drain(bool wait);
     cl::Device device_;
     DeviceInfo info_;

@@ -1,6 +1,5 @@
 #include "cl/kernel_source.h"
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "cl/embedded_kernels.h"
+#include "util/environment.h"
 #include "util/error.h"
 
 namespace pencil {
@@ -130,8 +130,8 @@ std::map<std::string, std::string> find_programs() {
 std::string kernel_source(const std::string& file) {
     const std::filesystem::path path(file);
     if (path.is_absolute()) return read_from_disk(path);
-    const char* folder = std::getenv("PENCIL_KERNEL_DIR");
-    if (folder && *folder) return read_from_disk(std::filesystem::path(folder) / path);
+    const std::string folder = environment("PENCIL_KERNEL_DIR");
+    if (!folder.empty()) return read_from_disk(std::filesystem::path(folder) / path);
     const auto found = embedded_kernels().find(file);
     if (found == embedded_kernels().end()) throw DeviceError("no kernel file named " + file + " is built into the program");
     return found->second;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "converge/embedded_text.h"
+#include "util/environment.h"
 #include "util/output_file.h"
 
 namespace pencil {
@@ -20,8 +21,8 @@ namespace {
 constexpr int no_matplotlib = 3;  // exit status of plot.py
 
 std::vector<std::string> interpreters() {
-    const char* chosen = std::getenv("PENCIL_PYTHON");
-    if (chosen != nullptr && *chosen != '\0') return {chosen};
+    const std::string chosen = environment("PENCIL_PYTHON");
+    if (!chosen.empty()) return {chosen};
     return {"python3", "/usr/bin/python3"};
 }
 
