@@ -18,8 +18,9 @@ kernel void approach_emitters(global const float *surfels, int capacity, int fir
     float shares = 0.0f, inverse = 0.0f, most = 0.0f;
     for (int i = item * n * n; i < (item + 1) * n * n; ++i) {
         global const float *s = surfels + i;
-        int m = as_int(s[SURFEL_MATERIAL * c]);
-        if (as_int(s[SURFEL_PLANE * c]) < 0 || m < 0 || m == PENCIL_NO_MATERIAL || !any(materials[m].emission.xyz > 0.0f)) continue;
+        int m = SURFEL_CONST_INT(s, SURFEL_MATERIAL * c);
+        if (SURFEL_CONST_INT(s, SURFEL_PLANE * c) < 0 || m < 0 || m == PENCIL_NO_MATERIAL || !any(materials[m].emission.xyz > 0.0f))
+            continue;
         float3 step = (float3)(s[SURFEL_X * c], s[SURFEL_Y * c], s[SURFEL_Z * c]) - pencil->position.xyz;
         float square = dot(step, step), share = near_area[m] < INFINITY ? near_area[m] / (square + near_area[m]) : 1.0f;
         shares += share;

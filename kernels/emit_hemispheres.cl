@@ -17,13 +17,13 @@ kernel void emit_hemispheres(global const float *surfels, int capacity, int surf
     if (i >= surfel_count) return;
     size_t c = capacity;
     global const float *s = surfels + i;
-    if (PENCIL_OUTGOING && (s[SURFEL_SHARE * c] >= 0.0f || as_int(s[SURFEL_PLANE * c]) < 0)) {
+    if (PENCIL_OUTGOING && (s[SURFEL_SHARE * c] >= 0.0f || SURFEL_CONST_INT(s, SURFEL_PLANE * c) < 0)) {
         add_chain_emission(surfels, c, i, materials, sky, sky_texels, radiance);
         return;
     }
     float3 emission = surfel_emission(surfels, c, i, materials);
     if (!any(emission > 0.0f)) return;
-    int m = as_int(s[SURFEL_MATERIAL * c]);
+    int m = SURFEL_CONST_INT(s, SURFEL_MATERIAL * c);
     float3 step = (float3)(s[SURFEL_X * c], s[SURFEL_Y * c], s[SURFEL_Z * c]) - pencils[first_pencil + i / (n * n)].position.xyz;
     float share = near_area[m] < INFINITY ? near_area[m] / (dot(step, step) + near_area[m]) : 1.0f;
     if (PENCIL_CLEAR) emission *= (float3)(s[SURFEL_TR * c], s[SURFEL_TG * c], s[SURFEL_TB * c]);  // seen through clear things

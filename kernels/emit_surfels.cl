@@ -11,7 +11,7 @@ kernel void emit_surfels(global const float *surfels, int capacity, int surfel_c
     if (i >= surfel_count) return;
     float3 emission = surfel_emission(surfels, capacity, i, materials);
     if (!any(emission > 0.0f)) return;
-    if (carried_only && materials[as_int(surfels[(size_t)SURFEL_MATERIAL * capacity + i])].emission.w == 0.0f) return;
+    if (carried_only && materials[SURFEL_CONST_INT(surfels, (size_t)SURFEL_MATERIAL * capacity + i)].emission.w == 0.0f) return;
     radiance[i] += emission.x;
     radiance[(size_t)capacity + i] += emission.y;
     radiance[2 * (size_t)capacity + i] += emission.z;

@@ -15,7 +15,7 @@ kernel void link_surfels(global const float *surfels, int capacity, int surfel_c
     global const float *s = surfels + i;
     PencilLinks found = {{-1, -1, -1, -1}, {0.0f, 0.0f, 0.0f, 0.0f}};
     bool reflects = s[SURFEL_ALBEDO_R * c] > 0.0f || s[SURFEL_ALBEDO_G * c] > 0.0f || s[SURFEL_ALBEDO_B * c] > 0.0f;
-    if (as_int(s[SURFEL_PLANE * c]) >= 0 && reflects)
+    if (SURFEL_CONST_INT(s, SURFEL_PLANE * c) >= 0 && reflects)
         found = nearest_pencils(pencils, grid, starts, entries, (float3)(s[SURFEL_X * c], s[SURFEL_Y * c], s[SURFEL_Z * c]),
                                 (float3)(s[SURFEL_NX * c], s[SURFEL_NY * c], s[SURFEL_NZ * c]));
     links[i] = vload4(0, found.index);

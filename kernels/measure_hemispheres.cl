@@ -40,7 +40,7 @@ kernel void measure_hemispheres(global const float *surfels, int capacity, int f
     }
     for (int i = 0; i < n * n; ++i) {
         size_t at = (size_t)first_surfel + (size_t)item * n * n + i;
-        int met = as_int(surfels[(size_t)SURFEL_PLANE * capacity + at]);
+        int met = SURFEL_CONST_INT(surfels, (size_t)SURFEL_PLANE * capacity + at);
         if (met < 0) continue;
         float distance = length(step_to_surfel(surfels, capacity, at, pencil));
         inverse += 1.0f / fmax(distance, HORIZON_TINY * position_error(pencil->position.xyz));

@@ -29,7 +29,7 @@ kernel void place_surface_pencils(global const float *surfels, int capacity, glo
     pencil->normal = (float4)(s[SURFEL_NX * c], s[SURFEL_NY * c], s[SURFEL_NZ * c], views[item].w);
     pencil->facing = (float4)(s[SURFEL_GX * c], s[SURFEL_GY * c], s[SURFEL_GZ * c], 0.0f);
     for (int k = 0; k < 2 * RING_SECTORS; ++k) pencil->horizon_x[k] = pencil->horizon_y[k] = 0.0f;
-    pencil->plane = as_int(s[SURFEL_PLANE * c]);
+    pencil->plane = SURFEL_CONST_INT(s, SURFEL_PLANE * c);
     pencil->key = keys[item];
     pencil->spacing = spacing;
     pencil->emitters = INFINITY;

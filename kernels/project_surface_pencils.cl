@@ -26,7 +26,7 @@ kernel void project_surface_pencils(global const float *surfels, int capacity, i
     contact[i] = 0;
     size_t c = capacity;
     global const float *s = surfels + i;
-    if (as_int(s[SURFEL_PLANE * c]) < 0) return;
+    if (SURFEL_CONST_INT(s, SURFEL_PLANE * c) < 0) return;
     float3 x = (float3)(s[SURFEL_X * c], s[SURFEL_Y * c], s[SURFEL_Z * c]),
            n = (float3)(s[SURFEL_NX * c], s[SURFEL_NY * c], s[SURFEL_NZ * c]);
     float3 albedo = (float3)(s[SURFEL_ALBEDO_R * c], s[SURFEL_ALBEDO_G * c], s[SURFEL_ALBEDO_B * c]);

@@ -45,7 +45,7 @@ typedef struct FilmKinds {
 } FilmKinds;
 
 static inline int film_row(global const float *surfels, size_t capacity, int surfel) {
-    return as_int(surfels[SURFEL_MATERIAL * capacity + surfel]);
+    return SURFEL_CONST_INT(surfels, SURFEL_MATERIAL * capacity + surfel);
 }
 
 static inline int find_kind(const FilmKinds *kinds, int row) {

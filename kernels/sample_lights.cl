@@ -1,4 +1,4 @@
-// Direct light of surfels that are read only in the mean, such as the texels of surface pencils: every packet draws a few of the light
+// Direct light of surfels that are read only in the mean, such as the texels of surface pencils: every few surfels draw some of the light
 // samples, mostly in proportion to what they would send it if nothing stood between, and follows rays to those.
 
 #include "lib/apart.cl"
@@ -18,19 +18,37 @@
 /// Share of the draws that all candidates have alike: what would send most may stand behind a wall (defensive mixture, Hesterberg 1995).
 #define LIGHT_EVEN 0.25f
 
-/// What sample i would send to a packet: the sum over its surfels; those of `passes` take light from behind, too.
-static inline float sample_importance(const SurfelPacket *s, global const LightSample *sample, vint passes, global const half *tables) {
+/// Surfels that draw together: as many whatever the width of packets, so that results do not depend on it.
+#define LIGHT_SURFELS 16
+#define LIGHT_PACKETS (LIGHT_SURFELS / PENCIL_WIDTH)
+
+typedef struct LightGroup {
+    SurfelPacket s[LIGHT_PACKETS];
+    vint passes[LIGHT_PACKETS];  // lanes that take light from behind, too
+    int lobes[LIGHT_PACKETS];    // bits of lanes that have some
+    vfloat r[LIGHT_PACKETS], g[LIGHT_PACKETS], b[LIGHT_PACKETS];
+} LightGroup;
+
+/// What sample i would send to a group: the sum over its surfels, in the same order at any width.
+static inline float sample_importance(const LightGroup *group, global const LightSample *sample, global const half *tables) {
     float4 e = sample->emission;
-    vfloat vx, vy, vz;
-    sample_to_surfels(s, sample, &vx, &vy, &vz);
+    vfloat weight[LIGHT_PACKETS];
+    for (int p = 0; p < LIGHT_PACKETS; ++p) {
+        vfloat vx, vy, vz;
+        const SurfelPacket *s = group->s + p;
+        sample_to_surfels(s, sample, &vx, &vy, &vz);
 #if PENCIL_LOBES
-    SurfelPacket turned = turned_to(s, passes, vx, vy, vz);
-    s = &turned;
+        SurfelPacket turned = turned_to(s, group->passes[p], vx, vy, vz);
+        s = &turned;
 #endif
-    return packet_sum(sample_weight(s, sample, vx, vy, vz, tables)) * (e.x + e.y + e.z);
+        weight[p] = sample_weight(s, sample, vx, vy, vz, tables);
+    }
+    for (int half_ = LIGHT_PACKETS / 2; half_ > 0; half_ /= 2)
+        for (int p = 0; p < half_; ++p) weight[p] += weight[p + half_];
+    return packet_sum(weight[0]) * (e.x + e.y + e.z);
 }
 
-/// Samples that a packet considers: every alone_step-th of the first `alone`, then every so many-th group.
+/// Samples that a group considers: every alone_step-th of the first `alone`, then every so many-th group.
 typedef struct Candidates {
     int alone, alone_step;
     int begin, skip;  // first sample of the groups; samples between two of them
@@ -41,28 +59,37 @@ static inline int next_candidate(const Candidates *c, int i) {
     return (i - c->alone) % LIGHT_GROUP < LIGHT_GROUP - 1 ? i + 1 : i + 1 + c->skip;
 }
 
-/// Of the packet at `first`, see below.
-APART static void sample_lights_packet(int first, global const float *surfels, int capacity, int surfel_count,
-                                       global const LightSample *samples, int sample_count, global const BvhNode *nodes,
-                                       global const int *leaves, SURFACES_PARAMETERS, float area_factor, int alone, int alone_step,
-                                       int stride, int draws, uint seed, global float *outgoing) {
+static inline void load_group(LightGroup *group, global const float *surfels, int capacity, int first, global const Material *materials) {
+    for (int p = 0; p < LIGHT_PACKETS; ++p) {
+        group->s[p] = load_surfels(surfels, capacity, first + p * PENCIL_WIDTH);
+        group->r[p] = group->g[p] = group->b[p] = 0.0f;
+#if PENCIL_LOBES
+        group->lobes[p] = lanes_with_lobes(surfels, capacity, first + p * PENCIL_WIDTH, materials);
+        group->passes[p] = lanes_that_pass(surfels, capacity, first + p * PENCIL_WIDTH, materials, group->lobes[p]);
+#endif
+    }
+}
+
+/// Of the group at `first`, see below.
+APART static void sample_lights_group(int first, global const float *surfels, int capacity, int surfel_count,
+                                      global const LightSample *samples, int sample_count, global const BvhNode *nodes,
+                                      global const int *leaves, SURFACES_PARAMETERS, float area_factor, int alone, int alone_step,
+                                      int stride, int draws, uint seed, global float *outgoing) {
     Surfaces scene = SURFACES;
     VisibilityMap map = {0, 0, 0, triangles, planes, 0, nodes, leaves, &scene};
-    SurfelPacket s = load_surfels(surfels, capacity, first);
-    uint bits = hash_uint((uint)(first / PENCIL_WIDTH) ^ seed);
+    LightGroup group;
+    load_group(&group, surfels, capacity, first, materials);
+    uint bits = hash_uint((uint)(first / LIGHT_SURFELS) ^ seed);
     Candidates c = {alone, alone_step, alone + LIGHT_GROUP * (int)(bits % (uint)stride), LIGHT_GROUP * (stride - 1)};
     int start = (int)(hash_uint(bits ^ 0x9e3779b9u) % (uint)alone_step);
     start = start < alone ? start : c.begin;
-    vint passes = 0;
 #if PENCIL_LOBES
-    float lobes[3][PENCIL_WIDTH] = {{0.0f}};
-    int has_lobes = lanes_with_lobes(surfels, capacity, first, materials);
-    passes = lanes_that_pass(surfels, capacity, first, materials, has_lobes);
+    float lobes[LIGHT_PACKETS][3][PENCIL_WIDTH] = {{{0.0f}}};
 #endif
     float total = 0.0f;
     int reaching = 0;
     for (int i = start; i < sample_count; i = next_candidate(&c, i)) {
-        float importance = sample_importance(&s, samples + i, passes, bitmaps) * (i < alone ? alone_step : stride);
+        float importance = sample_importance(&group, samples + i, bitmaps) * (i < alone ? alone_step : stride);
         total += importance;
         reaching += importance > 0.0f;
     }
@@ -70,9 +97,8 @@ APART static void sample_lights_packet(int first, global const float *surfels, i
     float even = LIGHT_EVEN * total / reaching;
     // Systematic resampling: draws at equal steps of the running sum, from a random first.
     float interval = total / draws, next = interval * (hash_uint(bits) >> UNIT_SHIFT) * UNIT_STEP, sum = 0.0f;
-    vfloat r = 0.0f, g = 0.0f, b = 0.0f;
     for (int i = start; i < sample_count; i = next_candidate(&c, i)) {
-        float importance = sample_importance(&s, samples + i, passes, bitmaps) * (i < alone ? alone_step : stride);
+        float importance = sample_importance(&group, samples + i, bitmaps) * (i < alone ? alone_step : stride);
         if (!(importance > 0.0f)) continue;
         importance = (1.0f - LIGHT_EVEN) * importance + even;
         sum += importance;
@@ -80,39 +106,46 @@ APART static void sample_lights_packet(int first, global const float *surfels, i
         for (; next < sum; next += interval) ++drawn;
         if (!drawn) continue;
         float4 e = samples[i].emission * (drawn * interval / importance * (i < alone ? alone_step : stride));
-        vfloat vx, vy, vz;
-        sample_to_surfels(&s, samples + i, &vx, &vy, &vz);
-        vfloat weight = sample_weight(&s, samples + i, vx, vy, vz, bitmaps);
-        vint facing = PACKET_MASK(weight > 0.0f);
+        for (int p = 0; p < LIGHT_PACKETS; ++p) {
+            const SurfelPacket *s = group.s + p;
+            vfloat vx, vy, vz;
+            sample_to_surfels(s, samples + i, &vx, &vy, &vz);
+            vfloat weight = sample_weight(s, samples + i, vx, vy, vz, bitmaps);
+            vint facing = PACKET_MASK(weight > 0.0f);
 #if PENCIL_LOBES
-        SurfelPacket turned = turned_to(&s, passes, vx, vy, vz);
-        facing |= PACKET_MASK(sample_weight(&turned, samples + i, vx, vy, vz, bitmaps) > 0.0f);
+            SurfelPacket turned = turned_to(s, group.passes[p], vx, vy, vz);
+            facing |= PACKET_MASK(sample_weight(&turned, samples + i, vx, vy, vz, bitmaps) > 0.0f);
 #endif
-        vfloat share = sample_share_by_rays(&s, &map, samples + i, PACKET_BITS(facing));
+            vfloat share = sample_share_by_rays(s, &map, samples + i, PACKET_BITS(facing));
 #if PENCIL_LOBES
-        add_lobes(lobes, has_lobes, share, samples + i, surfels, capacity, first, materials, bitmaps, e, area_factor);
+            add_lobes(lobes[p], group.lobes[p], share, samples + i, surfels, capacity, first + p * PENCIL_WIDTH, materials, bitmaps, e,
+                      area_factor);
 #endif
-        weight *= share;
-        r = fma(weight, (vfloat)(e.x), r);
-        g = fma(weight, (vfloat)(e.y), g);
-        b = fma(weight, (vfloat)(e.z), b);
+            weight *= share;
+            group.r[p] = fma(weight, (vfloat)(e.x), group.r[p]);
+            group.g[p] = fma(weight, (vfloat)(e.y), group.g[p]);
+            group.b[p] = fma(weight, (vfloat)(e.z), group.b[p]);
+        }
     }
-    scatter_irradiance(surfels, capacity, first, r, g, b, outgoing, 1);
+    for (int p = 0; p < LIGHT_PACKETS; ++p) {
+        scatter_irradiance(surfels, capacity, first + p * PENCIL_WIDTH, group.r[p], group.g[p], group.b[p], outgoing, 1);
 #if PENCIL_LOBES
-    store_rgb(outgoing, capacity, first, PACKET_LOAD(lobes[0]), PACKET_LOAD(lobes[1]), PACKET_LOAD(lobes[2]), 1);
+        store_rgb(outgoing, capacity, first + p * PENCIL_WIDTH, PACKET_LOAD(lobes[p][0]), PACKET_LOAD(lobes[p][1]),
+                  PACKET_LOAD(lobes[p][2]), 1);
 #endif
+    }
 }
 
-/// launch : 1-D, one work-item per packet of PENCIL_WIDTH surfels
-/// in     : surfels; samples[sample_count]: `alone` that are each a light of its own, of which packets consider every alone_step-th, and those
-///          of wide lights, every stride-th group, each from a random start; area_factor: see lobe_light.cl; draws: samples that a packet
-///          takes, repetitions included
+/// launch : 1-D, one work-item per group of LIGHT_SURFELS surfels, at any width of packets
+/// in     : surfels; samples[sample_count]: `alone` that are each a light of its own, of which groups consider every alone_step-th, and those
+///          of wide lights, every stride-th group of samples, each from a random start; area_factor: see lobe_light.cl; draws: samples that a
+///          group takes, repetitions included
 /// in/out : outgoing[3][capacity] [W m^-2 sr^-1], an unbiased estimate of light_surfels' result is added
 kernel void sample_lights(global const float *surfels, int capacity, int surfel_count, global const LightSample *samples, int sample_count,
                           global const BvhNode *nodes, global const int *leaves, SURFACES_PARAMETERS, float area_factor, int alone,
                           int alone_step, int stride, int draws, uint seed, global float *outgoing) {
-    int first = get_global_id(0) * PENCIL_WIDTH;
+    int first = get_global_id(0) * LIGHT_SURFELS;
     if (first >= surfel_count) return;
-    sample_lights_packet(first, surfels, capacity, surfel_count, samples, sample_count, nodes, leaves, SURFACES_ARGUMENTS, area_factor,
-                         alone, alone_step, stride, draws, seed, outgoing);
+    sample_lights_group(first, surfels, capacity, surfel_count, samples, sample_count, nodes, leaves, SURFACES_ARGUMENTS, area_factor,
+                        alone, alone_step, stride, draws, seed, outgoing);
 }

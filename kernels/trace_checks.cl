@@ -43,7 +43,7 @@ static inline CheckPath begin_path(global const float *surfels, size_t capacity,
     p.bits = bits;
     p.pdf = 0.0f;
     p.at = meet_nothing((float3)(0.0f, 0.0f, 1.0f));
-    if (surfel < 0 || as_int(surfels[SURFEL_PLANE * capacity + surfel]) < 0) return p;
+    if (surfel < 0 || SURFEL_CONST_INT(surfels, SURFEL_PLANE * capacity + surfel) < 0) return p;
     p.throughput = (float3)(1.0f);
     if (PENCIL_LOBES) {
         p.at = load_vertex(surfels, capacity, surfel, materials, tables);
@@ -53,7 +53,7 @@ static inline CheckPath begin_path(global const float *surfels, size_t capacity,
     p.at.n = p.at.o = surfel_vector(surfels, capacity, surfel, SURFEL_NX);
     p.at.g = surfel_vector(surfels, capacity, surfel, SURFEL_GX);
     p.at.albedo = surfel_vector(surfels, capacity, surfel, SURFEL_ALBEDO_R);
-    p.at.plane = as_int(surfels[SURFEL_PLANE * capacity + surfel]);
+    p.at.plane = SURFEL_CONST_INT(surfels, SURFEL_PLANE * capacity + surfel);
     return p;
 }
 

@@ -82,15 +82,16 @@ const char* const exit_codes =
     "is written but its reflections have no sum (a warning says why), 9 a case of stress fails.";
 
 std::vector<SubCommand> sub_commands() {
-    return {sub_command("render", "Render a scene to image files", run_render),
-            sub_command("reference", "Render a scene by path tracing, to judge other images by", run_reference),
-            sub_command("measure", "Measure illuminance at points, on grids and by the meters of a scene", run_measure),
-            sub_command("info", "Say what is in a scene and what rendering it needs", run_info),
-            sub_command("compare", "Measure the error of an image against a reference", run_compare),
-            sub_command("converge", "Measure error against run time of all methods and the path tracer", run_converge),
-            sub_command("stress", "Render scenes that are stiff or extreme and check what comes out", run_stress),
-            sub_command("devices", "List the OpenCL devices", run_devices),
-            hidden(sub_command("document", "Write the options of all commands as documentation", run_document))};
+    return {
+        sub_command("render", "Render a scene to image files", run_render),
+        sub_command("reference", "Render a scene by path tracing, to judge other images by", run_reference),
+        sub_command("measure", "Measure illuminance at points, on grids and by the meters of a scene", run_measure),
+        sub_command("info", "Say what is in a scene and what rendering it needs", run_info),
+        sub_command("compare", "Measure the error of an image against a reference", run_compare),
+        sub_command("converge", "Measure error against run time of all methods and the path tracer", run_converge),
+        sub_command("stress", "Render scenes that are stiff or extreme and check what comes out", run_stress),
+        sub_command("devices", "List the OpenCL devices", run_devices),
+        hidden(sub_command("document", "Write the options of all commands as documentation, or the programs of kernels", run_document))};
 }
 
 ExitCode run_command_line(int argc, char** argv) {

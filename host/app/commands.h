@@ -88,7 +88,7 @@ struct DevicesCommand {
 };
 
 struct DocumentCommand {
-    std::string format;  // markdown, man
+    std::string format;  // markdown, man, programs
 };
 
 ExitCode run_render(const RenderCommand& command);

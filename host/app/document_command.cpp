@@ -1,8 +1,12 @@
-// `pencil document`: the tables of options as documentation, for docs/options.md and the man page.
+// `pencil document`: the tables of options as documentation, for docs/options.md and the man page; and the programs of kernels whole, for
+// compilers that are asked about them without a device.
 #include <iostream>
+#include <nlohmann/json.hpp>
 
 #include "app/command_line.h"
 #include "app/commands.h"
+#include "cl/kernel_source.h"
+#include "device/features.h"
 
 namespace pencil {
 
@@ -57,9 +61,28 @@ void write_man(const SubCommand& command) {
     }
 }
 
+/// {"defines": {"plain": {name: value}, "whole": ...}, "programs": {file: text}}, as a device without packets gets them.
+void write_programs() {
+    Features whole;
+    whole.smooth = whole.blends = whole.textures = whole.clear = whole.relief = whole.lobes = true;
+    whole.wide_camera = whole.far_light = whole.sky = whole.glow = true;
+    for (int model = MATERIAL_DIFFUSE; model <= MATERIAL_PASS; ++model) whole.models.insert(model);
+    nlohmann::ordered_json all;
+    for (const auto& [name, features] : {std::pair("plain", Features()), std::pair("whole", whole)}) {
+        all["defines"][name] = to_defines(features, 1);
+        all["defines"][name]["PENCIL_WIDTH"] = "1";
+    }
+    for (const std::string& file : program_files()) all["programs"][file] = program_source(file);
+    std::cout << all.dump(1) << "\n";
+}
+
 }  // namespace
 
 ExitCode run_document(const DocumentCommand& command) {
+    if (command.format == "programs") {
+        write_programs();
+        return ExitCode::ok;
+    }
     const bool man = command.format == "man";
     if (man)
         std::cout << ".TH PENCIL 1 \"\" \"pencil " PENCIL_VERSION

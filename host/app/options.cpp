@@ -230,7 +230,7 @@ std::vector<Option> option_table(DevicesCommand& command) {
 }
 
 std::vector<Option> option_table(DocumentCommand& command) {
-    const std::vector<std::string> formats{"markdown", "man"};
+    const std::vector<std::string> formats{"markdown", "man", "programs"};
     return {required({"FORMAT",
                       "",
                       join(formats),

@@ -152,8 +152,13 @@ std::string no_device_advice() {
                value("OCL_ICD_VENDORS") + ").";
     }
     std::string text = "Platforms found, none with a usable device:";
-    for (const NamedPlatform& platform : platforms) text += " " + platform.name + ";";
+    bool pocl = false;
+    for (const NamedPlatform& platform : platforms) {
+        text += " " + platform.name + ";";
+        pocl = pocl || platform.name == "Portable Computing Language";
+    }
     text.back() = '.';
+    if (!pocl) return text + " A CPU driver that always works: package pocl-opencl-icd.";
     return text + " Usual causes with PoCL: POCL_DEVICES names a device that it does not know (" + value("POCL_DEVICES") +
            "; up to 3.x: pthread, basic; from 4.0: cpu, cpu-minimal), or its cache directory cannot be written (" +
            value("POCL_CACHE_DIR") + "; " + value("HOME") + "). POCL_DEBUG=all shows its reason.";

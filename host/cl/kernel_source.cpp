@@ -125,6 +125,12 @@ std::map<std::string, std::string> find_programs() {
     return programs;
 }
 
+/// find_programs, once.
+const std::map<std::string, std::string>& programs() {
+    static const std::map<std::string, std::string> found = find_programs();
+    return found;
+}
+
 }  // namespace
 
 std::string kernel_source(const std::string& file) {
@@ -146,9 +152,19 @@ std::string resolve_includes(const std::string& text, const std::string& file) {
 std::string program_source(const std::string& file) { return resolve_includes(kernel_source(file), file); }
 
 std::string program_of(const std::string& kernel) {
-    static const std::map<std::string, std::string> programs = find_programs();
-    const auto found = programs.find(kernel + ".cl");
-    return found == programs.end() ? kernel + ".cl" : found->second;
+    const auto found = programs().find(kernel + ".cl");
+    return found == programs().end() ? kernel + ".cl" : found->second;
+}
+
+std::vector<std::string> program_files() {
+    std::vector<std::string> files;
+    for (const auto& entry : embedded_kernels()) {
+        const std::string& file = entry.first;
+        const bool kernels = std::filesystem::path(file).extension() == ".cl" && file.find('/') == std::string::npos;
+        const bool whole = file.compare(0, programs_folder.size(), programs_folder) == 0;
+        if (whole || (kernels && programs().count(file) == 0)) files.push_back(file);
+    }
+    return files;
 }
 
 }  // namespace pencil

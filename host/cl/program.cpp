@@ -79,6 +79,16 @@ std::string build_log(const cl::Program& program, const cl::Device& device) {
     }
 }
 
+/// Empty if the driver gives none.
+ProgramBinaries::Binary program_binary(const cl::Program& program) {
+    try {
+        const auto binaries = program.getInfo<CL_PROGRAM_BINARIES>();
+        return binaries.empty() ? ProgramBinaries::Binary() : binaries.front();
+    } catch (const cl::Error&) {
+        return {};
+    }
+}
+
 }  // namespace
 
 Launch ProgramCache::kernel(const std::string& name, const std::string& file, const Defines& defines) {
@@ -122,6 +132,29 @@ cl::Program ProgramCache::build(const std::string& file, const Defines& defines)
     if (const auto known = device_->programs().find(key); known != device_->programs().end()) return known->second;
 
     const auto start = std::chrono::steady_clock::now();
+    const ProgramBinaries::Binary binary = binaries_.find(options, source);
+    cl::Program program = build_binary(binary, options);
+    if (!program()) {
+        program = build_source(file, source, options);
+        if (binaries_.is_on()) binaries_.keep(options, source, program_binary(program));
+    }
+    device_->add_build_seconds(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    return device_->programs().emplace(key, program).first->second;
+}
+
+/// No program if there is no binary or the driver does not take it.
+cl::Program ProgramCache::build_binary(const ProgramBinaries::Binary& binary, const std::string& options) const {
+    if (binary.empty()) return {};
+    try {
+        cl::Program program(device_->context(), {device_->cl_device()}, cl::Program::Binaries{binary});
+        program.build(std::vector<cl::Device>{device_->cl_device()}, options.c_str());
+        return program;
+    } catch (const cl::Error&) {
+        return {};
+    }
+}
+
+cl::Program ProgramCache::build_source(const std::string& file, const std::string& source, const std::string& options) const {
     cl::Program program = cl_call([&] { return "creating the program " + file; }, [&] { return cl::Program(device_->context(), source); });
     try {
         program.build(std::vector<cl::Device>{device_->cl_device()}, options.c_str());
@@ -130,8 +163,7 @@ cl::Program ProgramCache::build(const std::string& file, const Defines& defines)
                           device_->info().platform + ", driver " + device_->info().driver + ")\noptions: " + options + "\n" +
                           build_log(program, device_->cl_device()));
     }
-    device_->add_build_seconds(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-    return device_->programs().emplace(key, program).first->second;
+    return program;
 }
 
 std::vector<std::string> ProgramCache::built() const {

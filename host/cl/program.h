@@ -14,6 +14,7 @@
 #include "cl/device.h"
 #include "cl/device_type.h"
 #include "cl/kernel_parameters.h"
+#include "cl/program_binaries.h"
 
 namespace pencil {
 
@@ -53,6 +54,9 @@ public:
     /// 2-D with local size (local_x, local_y).
     void run2d(std::size_t global_x, std::size_t global_y, std::size_t local_x, std::size_t local_y, const std::string& description);
 
+    /// Work-items per group that the device allows this kernel.
+    std::size_t max_group() const { return max_group_; }
+
 private:
     template <typename T>
     void add(const Buffer<T>& buffer) {
@@ -80,13 +84,13 @@ private:
     std::string name_;
     std::shared_ptr<CompiledKernel> compiled_;
     unsigned argument_count_ = 0, given_ = 0;
-    std::size_t max_group_ = 1;                    // work-items per group that this kernel allows on this device
+    std::size_t max_group_ = 1;
     std::size_t required_x_ = 0, required_y_ = 0;  // reqd_work_group_size, 0 if none
 };
 
 class ProgramCache {
 public:
-    explicit ProgramCache(std::shared_ptr<Device> device) : device_(std::move(device)) {}
+    explicit ProgramCache(std::shared_ptr<Device> device) : device_(std::move(device)), binaries_(device_->info()) {}
 
     /// The kernel `name` of the program `file` (kernel_source.h) with `defines`. Builds at first use: -cl-std=CL1.2 -Werror, no fast-math;
     /// a build failure is a DeviceError with device, options and the whole log. PENCIL_WIDTH is always defined.
@@ -100,7 +104,10 @@ public:
 private:
     const Defines& used(const std::string& file, const Defines& defines);
     cl::Program build(const std::string& file, const Defines& defines);
+    cl::Program build_binary(const ProgramBinaries::Binary& binary, const std::string& options) const;
+    cl::Program build_source(const std::string& file, const std::string& source, const std::string& options) const;
     std::shared_ptr<Device> device_;
+    ProgramBinaries binaries_;
     std::map<std::string, cl::Program> programs_;
     std::map<std::string, Defines> used_;                              // by file and all defines that were given
     std::map<std::string, std::shared_ptr<CompiledKernel>> compiled_;  // by program and kernel name

@@ -20,15 +20,19 @@
 namespace pencil {
 namespace {
 
-// Work-items that add up together: 64, or less on a device whose groups are smaller.
-int reduction_group(const Device& device) {
+Launch build_for_groups(ProgramCache& programs, const std::string& name, int group) {
+    return programs.kernel(name, "self_test.cl", {{"SELF_TEST_GROUP", std::to_string(group)}});
+}
+
+// Work-items that add up together: 64, or fewer where the device allows the kernel no more.
+int reduction_group(ProgramCache& programs) {
     int group = 64;
-    while (group > 1 && static_cast<std::size_t>(group) > device.info().max_work_group) group /= 2;
+    while (group > 1 && build_for_groups(programs, "self_test_reduction", group).max_group() < static_cast<std::size_t>(group)) group /= 2;
     return group;
 }
 
 Launch self_test_kernel(ProgramCache& programs, const std::string& name) {
-    return programs.kernel(name, "self_test.cl", {{"SELF_TEST_GROUP", std::to_string(reduction_group(*programs.device()))}});
+    return build_for_groups(programs, name, reduction_group(programs));
 }
 
 std::string number(double value) {
@@ -181,7 +185,7 @@ std::string check_packets(ProgramCache& programs) {
 
 // The order of additions is given, so the sums must agree to the last bit.
 std::string check_reduction(ProgramCache& programs) {
-    const int groups = 33, size = reduction_group(*programs.device());
+    const int groups = 33, size = reduction_group(programs);
     std::vector<float> input;
     std::uint32_t state = 1;
     for (int i = 0; i < groups * size; ++i) {

@@ -13,6 +13,7 @@
 #include "options/layer.h"
 #include "scene/scene_fingerprint.h"
 #include "util/error.h"
+#include "util/fingerprint.h"
 #include "util/format.h"
 
 namespace pencil {

@@ -13,6 +13,7 @@
 #include "util/archive.h"
 #include "util/environment.h"
 #include "util/error.h"
+#include "util/fingerprint.h"
 #include "util/output_file.h"
 
 namespace pencil {

@@ -1,20 +1,16 @@
 #include "scene/scene_fingerprint.h"
 
-#include <cstdio>
 #include <glm/gtc/type_ptr.hpp>
 #include <type_traits>
+
+#include "util/fingerprint.h"
 
 namespace pencil {
 namespace {
 
-/// Fowler, Noll and Vo's hash, variant 1a.
-class Hash {
+/// Of values.
+class Hash : public Fingerprint {
 public:
-    void add_bytes(const void* data, std::size_t bytes) {
-        const std::uint64_t prime = 0x100000001b3;
-        const auto* next = static_cast<const unsigned char*>(data);
-        for (const unsigned char* end = next + bytes; next != end; ++next) value_ = (value_ ^ *next) * prime;
-    }
     template <typename T>
     void add(T value) {
         static_assert(std::is_arithmetic_v<T>, "structures have padding");
@@ -31,15 +27,6 @@ public:
         add(values.size());
         add_bytes(values.data(), values.size() * sizeof(T));
     }
-
-    std::string text() const {
-        char digits[17];
-        std::snprintf(digits, sizeof(digits), "%016llx", static_cast<unsigned long long>(value_));
-        return digits;
-    }
-
-private:
-    std::uint64_t value_ = 0xcbf29ce484222325;
 };
 
 /// By corners, not by vertices: how triangles share vertices, or texture coordinates split them, changes no picture.
@@ -150,12 +137,6 @@ std::string scene_fingerprint(const Scene& scene) {
     for (const SceneMaterial& material : scene.materials) add_material(hash, material);
     add_lights(hash, scene);
     add_sensor(hash, scene.sensor);
-    return hash.text();
-}
-
-std::string fingerprint(const void* data, std::size_t bytes) {
-    Hash hash;
-    hash.add_bytes(data, bytes);
     return hash.text();
 }
 

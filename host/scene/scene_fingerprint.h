@@ -11,7 +11,4 @@ namespace pencil {
 /// do not enter: options replace them. Equal on all machines of one byte order.
 std::string scene_fingerprint(const Scene& scene);
 
-/// The same of any bytes: FNV-1a, 64 bits. No protection against intent.
-std::string fingerprint(const void* data, std::size_t bytes);
-
 }  // namespace pencil

@@ -8,7 +8,7 @@
 
 namespace pencil {
 
-/// Adds reflected direct light to outgoing[3][capacity] [W m^-2 sr^-1]: in the mean what light_surfels adds, by `draws` samples per packet
+/// Adds reflected direct light to outgoing[3][capacity] [W m^-2 sr^-1]: in the mean what light_surfels adds, by `draws` samples for every 16 surfels
 /// out of every stride-th three; needs the scene's hierarchy.
 void sample_lights(Kernels& kernels, const DeviceScene& scene, const Surfels& surfels, const LightSet& lights, int stride, int draws,
                    uint seed, Buffer<float>& outgoing);

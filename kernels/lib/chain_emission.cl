@@ -10,7 +10,7 @@ static inline void add_chain_emission(global const float *surfels, size_t c, int
                                       global float *radiance) {
     global const float *s = surfels + i;
     float3 emission = (float3)(0.0f);
-    if (as_int(s[SURFEL_PLANE * c]) < 0) {
+    if (SURFEL_CONST_INT(s, SURFEL_PLANE * c) < 0) {
         // In place of the share: the density of the ray's direction, as sky_radiance has it.
         if (PENCIL_SKY)
             emission = sky_radiance(sky, sky_texels, -(float3)(s[SURFEL_OX * c], s[SURFEL_OY * c], s[SURFEL_OZ * c]), s[SURFEL_SHARE * c]);

@@ -60,15 +60,15 @@ static inline float3 lobe_radiance(const Vertex *v, float3 factor, const Inciden
 
 /// True of a surfel that light samples reach otherwise than by its irradiance.
 static inline bool has_lobes(global const float *surfels, size_t capacity, int i, global const Material *materials) {
-    int row = as_int(surfels[SURFEL_MATERIAL * capacity + i]);
-    if (as_int(surfels[SURFEL_PLANE * capacity + i]) < 0 || row == PENCIL_NO_MATERIAL) return false;
+    int row = SURFEL_CONST_INT(surfels, SURFEL_MATERIAL * capacity + i);
+    if (SURFEL_CONST_INT(surfels, SURFEL_PLANE * capacity + i) < 0 || row == PENCIL_NO_MATERIAL) return false;
     int model = materials[row < 0 ? ~row : row].model;
     return model != MATERIAL_DIFFUSE && model != MATERIAL_PASS;
 }
 
 /// True if rough lobes of a surfel let light through from behind.
 static inline bool lobes_pass(global const float *surfels, size_t capacity, int i, global const Material *materials) {
-    int row = as_int(surfels[SURFEL_MATERIAL * capacity + i]);
+    int row = SURFEL_CONST_INT(surfels, SURFEL_MATERIAL * capacity + i);
     global const Material *m = materials + (row < 0 ? ~row : row);
     if (m->model == MATERIAL_PRINCIPLED) return m->parameters[1] > 0.0f;
     return m->model == MATERIAL_DIELECTRIC && !(m->flags & MATERIAL_THIN) && surfels[SURFEL_ALPHA * capacity + i] >= SMOOTH_ALPHA;

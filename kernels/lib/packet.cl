@@ -130,17 +130,17 @@ static inline void packet_store_packed(vint v, int bits, int *to) {
 #endif
 }
 
-/// Sum of the lanes.
+/// Sum of the lanes, by halves: in the same order as that of two packets of half the width, lane by lane, and then of their lanes.
 static inline float packet_sum(vfloat v) {
 #if PENCIL_WIDTH == 16
     float8 a = v.lo + v.hi;
     float4 b = a.lo + a.hi;
-    return (b.x + b.y) + (b.z + b.w);
+    return (b.x + b.z) + (b.y + b.w);
 #elif PENCIL_WIDTH == 8
     float4 b = v.lo + v.hi;
-    return (b.x + b.y) + (b.z + b.w);
+    return (b.x + b.z) + (b.y + b.w);
 #elif PENCIL_WIDTH == 4
-    return (v.x + v.y) + (v.z + v.w);
+    return (v.x + v.z) + (v.y + v.w);
 #else
     return v;
 #endif

@@ -43,9 +43,7 @@ static inline vint lanes_meet_box(const LaneRays *r, float4 low, float4 high, vf
 /// On which side of the line from p to q each ray passes: dot of its direction and cross(p + q, q - p), as edge_normal of triangle.cl.
 static inline vfloat lane_edge(const LaneRays *r, vfloat px, vfloat py, vfloat pz, vfloat qx, vfloat qy, vfloat qz) {
     vfloat mx = px + qx, my = py + qy, mz = pz + qz, ex = qx - px, ey = qy - py, ez = qz - pz;
-    // Kept apart, so that no contraction makes the two directions of an edge differ.
-    vfloat ax = my * ez, bx = mz * ey, ay = mz * ex, by = mx * ez, az = mx * ey, bz = my * ex;
-    vfloat nx = ax - bx, ny = ay - by, nz = az - bz;
+    vfloat nx = fma(my, ez, -(mz * ey)), ny = fma(mz, ex, -(mx * ez)), nz = fma(mx, ey, -(my * ex));
     return fma(r->x, nx, fma(r->y, ny, r->z * nz));
 }
 

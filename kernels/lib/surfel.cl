@@ -15,9 +15,12 @@ static inline void store_vertex(global float *surfels, int capacity, int i, cons
     global float *s = surfels + i;
     size_t c = capacity;
     float3 albedo = PENCIL_OUTGOING ? v->albedo * t.factor : v->albedo;
-    float values[SURFEL_FIELDS] = {v->x.x,   v->x.y,   v->x.z,   v->n.x,           v->n.y, v->n.z, as_float(v->plane),
-                                   albedo.x, albedo.y, albedo.z, as_float(v->row), v->g.x, v->g.y, v->g.z};
-    for (int f = 0; f < SURFEL_FIELDS; ++f) s[f * c] = values[f];
+    float values[SURFEL_FIELDS] = {v->x.x,   v->x.y,   v->x.z,   v->n.x, v->n.y, v->n.z, 0.0f,
+                                   albedo.x, albedo.y, albedo.z, 0.0f,   v->g.x, v->g.y, v->g.z};
+    for (int f = 0; f < SURFEL_FIELDS; ++f)
+        if (f != SURFEL_PLANE && f != SURFEL_MATERIAL) s[f * c] = values[f];
+    SURFEL_INT(s, SURFEL_PLANE * c) = v->plane;
+    SURFEL_INT(s, SURFEL_MATERIAL * c) = v->row;
     if (!PENCIL_OUTGOING) return;
     bool lobes = v->bsdf.model != MATERIAL_DIFFUSE;
     float3 specular = lobes ? v->bsdf.specular : (float3)(0.0f);
@@ -66,8 +69,8 @@ static inline Vertex load_vertex(global const float *surfels, size_t capacity, i
 #if PENCIL_GLOW
     v.emission = surfel_vector(surfels, capacity, i, SURFEL_ER);
 #endif
-    v.plane = as_int(surfels[SURFEL_PLANE * capacity + i]);
-    v.row = as_int(surfels[SURFEL_MATERIAL * capacity + i]);
+    v.plane = SURFEL_CONST_INT(surfels, SURFEL_PLANE * capacity + i);
+    v.row = SURFEL_CONST_INT(surfels, SURFEL_MATERIAL * capacity + i);
     v.bsdf.model = MATERIAL_DIFFUSE;
     if (v.plane < 0 || v.row == PENCIL_NO_MATERIAL) return v;
     bool front = v.row >= 0;

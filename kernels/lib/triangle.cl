@@ -7,13 +7,12 @@
 #define PLANE_TOLERANCE 1e-6f
 
 /// Twice cross(p, q), computed as cross(p + q, q - p): exactly the negative of edge_normal(q, p), and without cancellation when p and q
-/// are near each other. Statements are kept apart so that no multiply-add contraction breaks the symmetry.
+/// are near each other. p + q stays and q - p turns round with p and q, so one product that is rounded and one that is not keep the symmetry,
+/// as long as it is always the same one: hence the fma, which leaves no contraction to the compiler.
 static inline float4 edge_normal(float4 p, float4 q) {
     float4 m = p + q;
     float4 e = q - p;
-    float4 a = m.yzxw * e.zxyw;
-    float4 b = m.zxyw * e.yzxw;
-    float4 r = a - b;
+    float4 r = fma(m.yzxw, e.zxyw, -(m.zxyw * e.yzxw));
     r.w = 0.0f;
     return r;
 }

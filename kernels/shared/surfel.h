@@ -44,3 +44,9 @@
 #define SURFEL_FIELDS_GLOW 29
 
 #define PENCIL_NO_MATERIAL 0x7fffffff
+
+#ifdef __OPENCL_C_VERSION__
+/// A field that is an index, at field * capacity + surfel: never read or written as a float, as which it may be denormal or NaN.
+#define SURFEL_INT(surfels, at) (((global int *)(surfels))[at])
+#define SURFEL_CONST_INT(surfels, at) (((global const int *)(surfels))[at])
+#endif

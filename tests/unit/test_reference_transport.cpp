@@ -11,7 +11,7 @@ namespace {
 
 using namespace pencil::ref;
 
-constexpr double exact = 1e-12;
+constexpr double exact_transport = 1e-12;
 
 std::vector<dvec3> wall(int axis, double at) {
     std::vector<dvec3> out;
@@ -30,16 +30,17 @@ TEST(FormFactor, WallsOfTheUnitBoxFillTheHemisphere) {
     for (const dvec3& x : {dvec3(0.5, 0, 0.5), dvec3(0.01, 0, 0.5), dvec3(0.02, 0, 0.02), dvec3(0.3, 0, 0.9)}) {
         double sum = polygon_irradiance(wall(1, 1.0), x, up);
         for (const int axis : {0, 2}) sum += polygon_irradiance(wall(axis, 0.0), x, up) + polygon_irradiance(wall(axis, 1.0), x, up);
-        EXPECT_NEAR(sum, pi, exact) << x.x << " " << x.z;
+        EXPECT_NEAR(sum, pi, exact_transport) << x.x << " " << x.z;
     }
 }
 
 TEST(FormFactor, ClosedFormsAgree) {
     const dvec3 up(0, 1, 0);
-    EXPECT_NEAR(polygon_irradiance(wall(1, 1.0), {0.5, 0, 0.5}, up) / pi, 4.0 * parallel_corner_factor(0.5, 0.5, 1.0), exact);
+    EXPECT_NEAR(polygon_irradiance(wall(1, 1.0), {0.5, 0, 0.5}, up) / pi, 4.0 * parallel_corner_factor(0.5, 0.5, 1.0), exact_transport);
     EXPECT_NEAR(4.0 * parallel_corner_factor(0.5, 0.5, 1.0), 0.2394565, 1e-6);  // floor centre to ceiling of a cube
     for (const dvec2& p : {dvec2(0.5, 0.5), dvec2(0.2, 0.5), dvec2(0.05, 0.5), dvec2(0.01, 0.5), dvec2(0.02, 0.02)})
-        EXPECT_NEAR(polygon_irradiance(wall(0, 0.0), {p.x, 0, p.y}, up), lit_wall_irradiance(p.x, p.y), exact) << p.x << " " << p.y;
+        EXPECT_NEAR(polygon_irradiance(wall(0, 0.0), {p.x, 0, p.y}, up), lit_wall_irradiance(p.x, p.y), exact_transport)
+            << p.x << " " << p.y;
     EXPECT_NEAR(lit_wall_irradiance(1e-9, 0.5), pi / 2.0, 1e-6) << "at its foot a wall fills half the hemisphere";
 }
 
@@ -76,9 +77,9 @@ TEST(Transport, ConsistentWeightsReproduceConstantRadiance) {
     Random random(5);
     std::vector<PencilView> views(20);
     for (PencilView& v : views) v = {dvec3(2.5), random.uniform(-0.5, 1.0), random.uniform(0.1, 9.0), random.uniform() < 0.8};
-    EXPECT_NEAR(irradiance_consistent(views).x, 2.5 * pi, exact);
+    EXPECT_NEAR(irradiance_consistent(views).x, 2.5 * pi, exact_transport);
     EXPECT_EQ(irradiance_consistent({}), dvec3(0.0));
-    EXPECT_NEAR(irradiance_printed({{dvec3(1.0), 0.5, 3.0, true}}).x, pi, exact) << "one pencil at 60 degrees: 2 pi L cos";
+    EXPECT_NEAR(irradiance_printed({{dvec3(1.0), 0.5, 3.0, true}}).x, pi, exact_transport) << "one pencil at 60 degrees: 2 pi L cos";
 }
 
 /// Relative bias and RMSE of both estimators at the floor's centre of the unit cube, 128 uniform centres, constant radiance and lit wall.
@@ -122,22 +123,22 @@ TEST(Film, FiltersAtKnownPoints) {
     EXPECT_EQ(box_filter(0.5), 1.0);
     EXPECT_EQ(box_filter(0.51), 0.0);
     EXPECT_EQ(tent_filter(0.25), 0.75);
-    EXPECT_NEAR(gaussian_filter(0.0), 1.0 - std::exp(-8.0), exact);
+    EXPECT_NEAR(gaussian_filter(0.0), 1.0 - std::exp(-8.0), exact_transport);
     EXPECT_EQ(gaussian_filter(2.0), 0.0);
-    EXPECT_NEAR(mitchell_filter(0.0), 8.0 / 9.0, exact);
-    EXPECT_NEAR(mitchell_filter(1.0), 1.0 / 18.0, exact);
-    EXPECT_NEAR(catmullrom_filter(0.5), 0.5625, exact);
-    EXPECT_NEAR(catmullrom_filter(1.5), -0.0625, exact);
+    EXPECT_NEAR(mitchell_filter(0.0), 8.0 / 9.0, exact_transport);
+    EXPECT_NEAR(mitchell_filter(1.0), 1.0 / 18.0, exact_transport);
+    EXPECT_NEAR(catmullrom_filter(0.5), 0.5625, exact_transport);
+    EXPECT_NEAR(catmullrom_filter(1.5), -0.0625, exact_transport);
     EXPECT_EQ(lanczos_filter(0.0), 1.0);
-    EXPECT_NEAR(lanczos_filter(1.0), 0.0, exact);
+    EXPECT_NEAR(lanczos_filter(1.0), 0.0, exact_transport);
     for (const double x : {-0.5, -0.3, 0.0, 0.4}) {  // the cubic filters are partitions of unity
         double mitchell = 0.0, catmullrom = 0.0;
         for (int k = -3; k <= 3; ++k) {
             mitchell += mitchell_filter(x + k);
             catmullrom += catmullrom_filter(x + k);
         }
-        EXPECT_NEAR(mitchell, 1.0, exact);
-        EXPECT_NEAR(catmullrom, 1.0, exact);
+        EXPECT_NEAR(mitchell, 1.0, exact_transport);
+        EXPECT_NEAR(catmullrom, 1.0, exact_transport);
     }
 }
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/scene_fingerprint.h"
+#include "util/fingerprint.h"
 
 namespace pencil {
 namespace {
