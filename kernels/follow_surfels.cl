@@ -5,13 +5,15 @@
 #include "lib/apart.cl"
 #include "lib/chain.cl"
 #include "lib/rays.cl"
+#include "lib/viewer.cl"
 #include "shared/surfel.h"
 
 /// Of the packet at `begin`, see below.
 APART static void follow_surfels_packet(int begin, global const float *from, int from_capacity, global const int *starts, int listed,
-                                        int shared, int chain_count, global const float *near_first, global const float *near_next,
-                                        float sky_first, float sky_next, uint seed, global const BvhNode *nodes, global const int *leaves,
-                                        SURFACES_PARAMETERS, global float *surfels, int capacity, int first, global float *uneven) {
+                                        int shared, int chain_count, global const SurfacePencil *viewers, int first_viewer, int texels,
+                                        global const float *near_first, global const float *near_next, float sky_first, float sky_next,
+                                        uint seed, global const BvhNode *nodes, global const int *leaves, SURFACES_PARAMETERS,
+                                        global float *surfels, int capacity, int first, global float *uneven) {
     Surfaces scene = SURFACES;
     Chain chains[PENCIL_WIDTH];
     bool any_open = false;
@@ -23,7 +25,7 @@ APART static void follow_surfels_packet(int begin, global const float *from, int
         c->on_film = false;
         c->uneven = 0.0f;
         c->negative = false;
-        c->bits = hash_uint(seed + hash_uint((uint)(begin + l)));
+        c->bits = hash_uint(seed + hash_uint(seen_number(viewers, first_viewer, c->open ? texels : 0, begin + l)));
         if (!c->open) continue;
         if (shared) {
             uint of_surfel = hash_uint(seed ^ hash_uint((uint)((begin + l) / shared)));
@@ -86,17 +88,19 @@ APART static void follow_surfels_packet(int begin, global const float *from, int
 /// launch : 1-D, one work-item per packet of PENCIL_WIDTH chains
 /// in     : from[from_capacity]: surfels that chains start on; starts[chain_count]: which of them, where there is a list, else chain k starts on
 ///          surfel first + k; shared: so many chains one after the other start on the same, and all take a first step along the lobes, or, where they
-///          have such a base, for what the base scatters otherwise than evenly; 0: each has a surfel of its own and may stop there; near_first, near_next
+///          have such a base, for what the base scatters otherwise than evenly; 0: each has a surfel of its own and may stop there;
+///          viewers[first_viewer ..]: who sees these, `texels` of them each, or 0; near_first, near_next
 ///          [material]: of the light samples that reach the first vertex and the others (emit_hemispheres.cl); sky_first, sky_next: number of those
 ///          that are the sky's; the scene; seed
 /// out    : surfels[capacity], from number `first` on: where chains end, with what they carry. May be the same buffer as `from`. uneven[chain]:
 ///          of chains of `shared`: what they count beside even light, where that is 0 in the mean
 kernel void follow_surfels(global const float *from, int from_capacity, global const int *starts, int listed, int shared, int chain_count,
-                           global const float *near_first, global const float *near_next, float sky_first, float sky_next, uint seed,
-                           global const BvhNode *nodes, global const int *leaves, SURFACES_PARAMETERS, global float *surfels, int capacity,
-                           int first, global float *uneven) {
+                           global const SurfacePencil *viewers, int first_viewer, int texels, global const float *near_first,
+                           global const float *near_next, float sky_first, float sky_next, uint seed, global const BvhNode *nodes,
+                           global const int *leaves, SURFACES_PARAMETERS, global float *surfels, int capacity, int first,
+                           global float *uneven) {
     int begin = get_global_id(0) * PENCIL_WIDTH;
     if (begin >= chain_count) return;
-    follow_surfels_packet(begin, from, from_capacity, starts, listed, shared, chain_count, near_first, near_next, sky_first, sky_next, seed,
-                          nodes, leaves, SURFACES_ARGUMENTS, surfels, capacity, first, uneven);
+    follow_surfels_packet(begin, from, from_capacity, starts, listed, shared, chain_count, viewers, first_viewer, texels, near_first,
+                          near_next, sky_first, sky_next, seed, nodes, leaves, SURFACES_ARGUMENTS, surfels, capacity, first, uneven);
 }

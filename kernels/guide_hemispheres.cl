@@ -30,15 +30,16 @@ static inline float3 guided_direction(const SpotView *v, int number, uint key, u
 }
 
 /// Of the packet at `first`, see below.
-APART static void guide_hemispheres_packet(int first, global const SurfacePencil *pencils, int first_pencil, int texels,
+APART static void guide_hemispheres_packet(int first, global const SurfacePencil *pencils, int first_pencil, int texels, int shared_keys,
                                            global const float4 *spots, global const float *weights, int spot_count, uint seed, uint2 shift,
                                            global const BvhNode *nodes, global const int *leaves, SURFACES_PARAMETERS,
                                            global float *surfels, int capacity, global float *factors) {
     global const SurfacePencil *pencil = pencils + first_pencil + first / SPOT_RAYS;
     float4 origin = (float4)(pencil->position.xyz, 0.0f);
     SpotView view = view_spots(pencil, spots, weights, spot_count);
-    // Pencils of one key, those that share a map, look elsewhere.
-    uint key = hash_uint(pencil->key + hash_uint(seed ^ 0x9e3779b9u) + 0x85ebca6bu * (uint)(first / SPOT_RAYS));
+    // Pencils of one key, those that share a map, look elsewhere; where a pencil has its own, it does not matter which others are there.
+    uint number = shared_keys ? (uint)(first_pencil + first / SPOT_RAYS) : 0u;
+    uint key = hash_uint(pencil->key + hash_uint(seed ^ 0x9e3779b9u) + 0x85ebca6bu * number);
     float d[3][PENCIL_WIDTH], factor[PENCIL_WIDTH];
 #pragma unroll 1
     for (int l = 0; l < PENCIL_WIDTH; ++l) {
@@ -69,16 +70,16 @@ APART static void guide_hemispheres_packet(int first, global const SurfacePencil
 }
 
 /// launch : 1-D, one work-item per packet of PENCIL_WIDTH guided rays, SPOT_RAYS of each pencil from first_pencil on
-/// in     : pencils; texels: of each; spots[spot_count], their weights: what they reflect, 1 in all; seed, shift: as
+/// in     : pencils; texels: of each; shared_keys: 1 where pencils may have the same; spots[spot_count], their weights: what they reflect, 1 in all; seed, shift: as
 ///          in trace_hemispheres; the scene and its hierarchy
 /// out    : surfels that the rays meet, ray k of pencil first_pencil + p at p * SPOT_RAYS + k; factors[pencil_count * SPOT_RAYS]: irradiance
 ///          of the pencil for radiance along the ray [sr], 0: the ray sees nothing
-kernel void guide_hemispheres(global const SurfacePencil *pencils, int first_pencil, int pencil_count, int texels,
+kernel void guide_hemispheres(global const SurfacePencil *pencils, int first_pencil, int pencil_count, int texels, int shared_keys,
                               global const float4 *spots, global const float *weights, int spot_count, uint seed, uint2 shift,
                               global const BvhNode *nodes, global const int *leaves, SURFACES_PARAMETERS, global float *surfels,
                               int capacity, global float *factors) {
     int first = get_global_id(0) * PENCIL_WIDTH;
     if (first >= pencil_count * SPOT_RAYS) return;
-    guide_hemispheres_packet(first, pencils, first_pencil, texels, spots, weights, spot_count, seed, shift, nodes, leaves,
+    guide_hemispheres_packet(first, pencils, first_pencil, texels, shared_keys, spots, weights, spot_count, seed, shift, nodes, leaves,
                              SURFACES_ARGUMENTS, surfels, capacity, factors);
 }

@@ -8,6 +8,7 @@
 #include "lib/packet.cl"
 #include "lib/packet_visibility.cl"
 #include "lib/surfel_packet.cl"
+#include "lib/viewer.cl"
 #include "lib/visibility.cl"
 #include "shared/bvh.h"
 #include "shared/geometry.h"
@@ -72,14 +73,15 @@ static inline void load_group(LightGroup *group, global const float *surfels, in
 
 /// Of the group at `first`, see below.
 APART static void sample_lights_group(int first, global const float *surfels, int capacity, int surfel_count,
-                                      global const LightSample *samples, int sample_count, global const BvhNode *nodes,
-                                      global const int *leaves, SURFACES_PARAMETERS, float area_factor, int alone, int alone_step,
-                                      int stride, int draws, uint seed, global float *outgoing) {
+                                      global const SurfacePencil *viewers, int first_viewer, int texels, global const LightSample *samples,
+                                      int sample_count, global const BvhNode *nodes, global const int *leaves, SURFACES_PARAMETERS,
+                                      float area_factor, int alone, int alone_step, int stride, int draws, uint seed,
+                                      global float *outgoing) {
     Surfaces scene = SURFACES;
     VisibilityMap map = {0, 0, 0, triangles, planes, 0, nodes, leaves, &scene};
     LightGroup group;
     load_group(&group, surfels, capacity, first, materials);
-    uint bits = hash_uint((uint)(first / LIGHT_SURFELS) ^ seed);
+    uint bits = hash_uint(seen_number(viewers, first_viewer, texels, first) ^ seed);
     Candidates c = {alone, alone_step, alone + LIGHT_GROUP * (int)(bits % (uint)stride), LIGHT_GROUP * (stride - 1)};
     int start = (int)(hash_uint(bits ^ 0x9e3779b9u) % (uint)alone_step);
     start = start < alone ? start : c.begin;
@@ -137,15 +139,16 @@ APART static void sample_lights_group(int first, global const float *surfels, in
 }
 
 /// launch : 1-D, one work-item per group of LIGHT_SURFELS surfels, at any width of packets
-/// in     : surfels; samples[sample_count]: `alone` that are each a light of its own, of which groups consider every alone_step-th, and those
+/// in     : surfels; viewers[first_viewer ..]: who sees them, `texels` of them each, a multiple of LIGHT_SURFELS, or 0; samples[sample_count]: `alone` that are each a light of its own, of which groups consider every alone_step-th, and those
 ///          of wide lights, every stride-th group of samples, each from a random start; area_factor: see lobe_light.cl; draws: samples that a
 ///          group takes, repetitions included
 /// in/out : outgoing[3][capacity] [W m^-2 sr^-1], an unbiased estimate of light_surfels' result is added
-kernel void sample_lights(global const float *surfels, int capacity, int surfel_count, global const LightSample *samples, int sample_count,
-                          global const BvhNode *nodes, global const int *leaves, SURFACES_PARAMETERS, float area_factor, int alone,
-                          int alone_step, int stride, int draws, uint seed, global float *outgoing) {
+kernel void sample_lights(global const float *surfels, int capacity, int surfel_count, global const SurfacePencil *viewers,
+                          int first_viewer, int texels, global const LightSample *samples, int sample_count, global const BvhNode *nodes,
+                          global const int *leaves, SURFACES_PARAMETERS, float area_factor, int alone, int alone_step, int stride,
+                          int draws, uint seed, global float *outgoing) {
     int first = get_global_id(0) * LIGHT_SURFELS;
     if (first >= surfel_count) return;
-    sample_lights_group(first, surfels, capacity, surfel_count, samples, sample_count, nodes, leaves, SURFACES_ARGUMENTS, area_factor,
-                        alone, alone_step, stride, draws, seed, outgoing);
+    sample_lights_group(first, surfels, capacity, surfel_count, viewers, first_viewer, texels, samples, sample_count, nodes, leaves,
+                        SURFACES_ARGUMENTS, area_factor, alone, alone_step, stride, draws, seed, outgoing);
 }

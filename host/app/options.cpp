@@ -98,6 +98,13 @@ Option device_row(std::string& device) {
             {}};
 }
 
+Option devices_row(std::string& devices) {
+    Option row = device_row(devices);
+    row.value = "D[,D]";
+    row.help += "; several with commas between share the work of the surface method";
+    return row;
+}
+
 Option quiet_row(bool& quiet) { return switch_row("--quiet", quiet, "No progress, no summary; warnings and errors stay"); }
 
 Option grid_row(std::vector<SensorGrid>& grids) {
@@ -142,7 +149,7 @@ std::vector<Option> option_table(RenderCommand& command) {
     rows.push_back(output_row(command.outputs));
     append(rows, render_option_table(command.options));
     append(rows,
-           {device_row(command.device),
+           {devices_row(command.device),
             surface_row(path_row("--checkpoint", "FILE", command.checkpoint,
                                  "Keep FILE such that a killed render can go on from it; at most 2 % of the time")),
             surface_row(path_row("--resume", "FILE", command.resume,

@@ -41,13 +41,13 @@ void add_warnings(RunReport& report, const std::vector<std::string>& warnings) {
 }
 
 RenderResult render_with_progress(const Scene& scene, const RenderCommand& command, const RunReport& report,
-                                  std::shared_ptr<Device>& device) {
+                                  std::shared_ptr<Device>& device, const std::vector<std::shared_ptr<Device>>& helpers) {
     ProgressDisplay display(command.quiet ? ProgressDisplay::Style::none : ProgressDisplay::style_for(stderr));
     const Progress progress = [&display](const std::string& stage, double fraction) {
         display.update(stage, fraction);
         return interrupted_by() == 0;
     };
-    RenderCare care{command.checkpoint, command.resume, {}};
+    RenderCare care{command.checkpoint, command.resume, helpers, {}};
     // A device that was asked for by name is not replaced by another.
     std::set<int> failed;
     if (command.device.empty())
@@ -56,6 +56,13 @@ RenderResult render_with_progress(const Scene& scene, const RenderCommand& comma
             std::shared_ptr<Device> next = Device::open_another(failed);
             if (next) device = next;
             return next;
+        };
+    else  // but by those that were named with it
+        care.next_device = [&](const Device&) -> std::shared_ptr<Device> {
+            if (care.helpers.empty()) return nullptr;
+            device = care.helpers.front();
+            care.helpers.erase(care.helpers.begin());
+            return device;
         };
     const std::shared_ptr<Device> first = device;
     return render(scene, report.options, first, progress, care);
@@ -101,11 +108,14 @@ ExitCode run_render(const RenderCommand& command) {
     if (has_photometric(command.options.aovs)) add_warnings(report, mixed_lights(scene, command.options.lumens_per_watt));
     check_film_memory(report.width, report.height, report.options.aovs);
 
-    std::shared_ptr<Device> device = timed(report, "open device", [&] { return Device::open(command.device); });
+    std::vector<std::shared_ptr<Device>> devices = timed(report, "open device", [&] { return Device::open_several(command.device); });
+    std::shared_ptr<Device> device = devices.front();
+    devices.erase(devices.begin());
+    if (!devices.empty() && report.options.method == MethodName::line) throw UsageError("--method line works on one device");
     report.device = device->info();
     report.packet_width = device->packet_width();
 
-    const RenderResult result = render_with_progress(scene, command, report, device);
+    const RenderResult result = render_with_progress(scene, command, report, device, devices);
     report.device = device->info();  // another may have gone on
     take_result(report, result, *device);
     add_warnings(report, result.stats.warnings);

@@ -39,11 +39,23 @@ std::string checked(const CertifiedError& certified) {
                        100 * certified.mean_bias, 100 * interval_errors * certified.mean_error);
 }
 
+/// What share of the film's pencils each device took, where several did.
+std::string share_line(const std::map<std::string, std::uint64_t>& pencils) {
+    double sum = 0;
+    for (const auto& [device, count] : pencils) sum += static_cast<double>(count);
+    std::string line;
+    for (const auto& [device, count] : pencils)
+        line += fmt::format("{}{} {:.0f} %", line.empty() ? "\nshares   " : ", ", device,
+                            100 * static_cast<double>(count) / std::max(sum, 1.0));
+    return line;
+}
+
 std::string bounce_line(const RenderStats& stats) {
     if (stats.passes > 0) {
         const bool known = std::isfinite(stats.estimated_error);
-        return fmt::format("to the end, residual {}\npasses   {}, pencils: {} in the world, {} for the film\nerror    {}",
+        return fmt::format("to the end, residual {}\npasses   {}, pencils: {} in the world, {} for the film{}\nerror    {}",
                            format_short(stats.residual), stats.passes, stats.world_pencils, stats.film_pencils,
+                           share_line(stats.device_pencils),
                            known ? "relMSE " + format_short(stats.estimated_error) + checked(stats.certified) : "unknown");
     }
     std::string line = fmt::format("{}, residual {}", stats.bounces.size(), format_short(stats.residual));

@@ -109,6 +109,7 @@ void write_stats(const std::filesystem::path& file, const RunReport& report, con
                     {"estimated_relmse", std::isfinite(stats.estimated_error) ? Json(stats.estimated_error) : Json()},
                     {"world_pencils", stats.world_pencils},
                     {"film_pencils", stats.film_pencils},
+                    {"device_pencils", stats.device_pencils},
                     {"residual", stats.residual},
                     {"tail_closed", stats.tail_closed},
                     {"converged", stats.converged},

@@ -2,6 +2,7 @@
 #include "cl/device.h"
 
 #include <algorithm>
+#include <sstream>
 
 #include "cl/cl_error.h"
 #include "cl/discovery.h"
@@ -38,6 +39,21 @@ std::shared_ptr<Device> Device::open(const std::string& selector) {
     infos.reserve(found.size());
     for (const FoundDevice& device : found) infos.push_back(device.info);
     return open_found(found[select_device(infos, selector.empty() ? environment("PENCIL_DEVICE") : selector)]);
+}
+
+std::vector<std::shared_ptr<Device>> Device::open_several(const std::string& selectors) {
+    std::vector<std::shared_ptr<Device>> devices;
+    std::istringstream each(selectors.empty() ? environment("PENCIL_DEVICE") : selectors);
+    for (std::string one; std::getline(each, one, ',');) {
+        if (one.empty()) throw UsageError("--device " + selectors + ": an empty name between commas");
+        const std::shared_ptr<Device> device = open(one);
+        for (const std::shared_ptr<Device>& other : devices)
+            if (other->info().index == device->info().index)
+                throw UsageError("--device " + selectors + ": " + device->info().name + " is named twice");
+        devices.push_back(device);
+    }
+    if (devices.empty()) devices.push_back(open(""));
+    return devices;
 }
 
 std::shared_ptr<Device> Device::open_another(const std::set<int>& but) {

@@ -41,6 +41,9 @@ public:
     /// DeviceError if nothing matches, listing what exists.
     static std::shared_ptr<Device> open(const std::string& selector);
 
+    /// Those that `selectors` name, with commas between; UsageError if one is named twice.
+    static std::vector<std::shared_ptr<Device>> open_several(const std::string& selectors);
+
     /// The first other device, GPUs first; null if there is none.
     static std::shared_ptr<Device> open_another(const std::set<int>& but);
 

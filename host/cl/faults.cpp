@@ -11,17 +11,18 @@
 namespace pencil {
 
 Faults::Faults() {
-    static std::atomic<bool> taken{false};
+    static std::atomic<int> opened{0};
+    const int device = ++opened;
     const std::string text = environment("PENCIL_FAULT");
-    if (text.empty() || taken.exchange(true)) return;
-    const std::size_t colon = text.find(':');
-    const std::string kind = text.substr(0, colon), number = colon == std::string::npos ? "" : text.substr(colon + 1);
+    const std::size_t place = text.find('@'), colon = text.find(':');
+    if (text.empty() || std::to_string(device) != (place == std::string::npos ? "1" : text.substr(place + 1))) return;
+    const std::string kind = text.substr(0, colon), number = colon == std::string::npos ? "" : text.substr(colon + 1, place - colon - 1);
     char* end = nullptr;
     const std::uint64_t at = std::strtoull(number.c_str(), &end, 10);
     const std::string rest = end;
     memory_stays_short_ = kind == "memory" && rest == "+";
     if (at == 0 || (kind != "lost" && kind != "memory") || !(rest.empty() || memory_stays_short_))
-        throw UsageError("PENCIL_FAULT=" + text + " is not lost:N, memory:N or memory:N+ with N from 1");
+        throw UsageError("PENCIL_FAULT=" + text + " is not lost:N, memory:N or memory:N+ with N from 1, and perhaps @K behind it");
     (kind == "lost" ? lost_at_ : memory_at_) = at;
 }
 

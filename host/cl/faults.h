@@ -1,14 +1,15 @@
-// Faults on demand: $PENCIL_FAULT lets the first device that is opened fail as real ones do, to see what becomes of a render.
+// Faults on demand: $PENCIL_FAULT lets a device fail as real ones do, to see what becomes of a render.
 #pragma once
 
 #include <cstdint>
 
 namespace pencil {
 
-/// "lost:N": the device is gone from its N-th launch on; "memory:N": its N-th allocation fails, and no other; "memory:N+": and all after it.
+/// "lost:N": the device is gone from its N-th launch on; "memory:N": its N-th allocation fails, and no other; "memory:N+": and all after it. Of the
+/// first device that the process opens; with "@K" behind it, of the K-th.
 class Faults {
 public:
-    /// Takes what $PENCIL_FAULT asks for: only the first of a process gets it. UsageError.
+    /// Takes what $PENCIL_FAULT asks for, if it is for this device. UsageError.
     Faults();
 
     /// Throws cl::Error.

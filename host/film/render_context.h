@@ -6,6 +6,7 @@
 #include "device/device_scene.h"
 #include "device/features.h"
 #include "device/stage_clock.h"
+#include "film/device_copy.h"
 #include "film/method.h"
 #include "options/render_options.h"
 #include "options/render_result.h"
@@ -20,8 +21,9 @@ using NeedsOf = MethodNeeds (*)(const Scene& scene, const std::vector<LightForm>
 
 struct RenderContext {
     /// `options`: complete, nothing left to the scene or the method. `scene` must outlive the context.
+    /// `helpers`: devices that share the work of the first; those that the scene does not fit are left out with a warning.
     RenderContext(const Scene& scene, const RenderOptions& options, NeedsOf needs_of, const std::shared_ptr<Device>& device,
-                  const Progress& progress);
+                  const Progress& progress, const std::vector<std::shared_ptr<Device>>& helpers = {});
     RenderContext(const RenderContext&) = delete;
     RenderContext& operator=(const RenderContext&) = delete;
 
@@ -30,16 +32,17 @@ struct RenderContext {
 
     const Scene& scene;
     const RenderOptions options;
+    RenderStats stats;  // as far as methods fill them; the session adds the rest
     StageClock clock;
     std::vector<LightForm> forms;
     FlatScene flat;
     MethodNeeds needs;
     Kernels kernels;
     Prepared prepared;
+    std::vector<std::unique_ptr<DeviceCopy>> copies;  // of devices that help
     DeviceScene device_scene;
     bool maps_emit = false;                // some emitter is carried by the maps
     std::vector<LightReceiver> receivers;  // some of what the first film shows, where light samples depend on it
-    RenderStats stats;                     // as far as methods fill them; the session adds the rest
 };
 
 }  // namespace pencil

@@ -60,6 +60,7 @@ struct RenderStats {
     bool tail_closed = false;    // the residual was added as a geometric tail
     bool converged = true;       // false: reflections have no sum, or were cut before they had one; a warning says why
     BounceSolve bounce_solve;    // of the last world set
+    std::map<std::string, std::uint64_t> device_pencils;  // that each device gathered, where several share them
     std::uint64_t device_peak_bytes = 0;
     std::uint64_t triangles = 0, film_surfels = 0;
     std::uint64_t blind_surfels = 0;   // film surfels that no pencil of the first set sees

@@ -49,7 +49,7 @@ public:
 private:
     /// A session on the device, which goes on from what there is.
     void begin() {
-        session_ = std::make_unique<RenderSession>(scene_, options_, device_, progress_);
+        session_ = std::make_unique<RenderSession>(scene_, options_, device_, progress_, care_.helpers);
         if (!care_.checkpoint.empty() || !care_.resume.empty()) identity_ = render_identity(scene_, session_->options(), *device_);
         if (!state_.empty()) return session_->resume(state_);
         if (care_.resume.empty()) return;
@@ -116,7 +116,8 @@ RenderResult render(const Scene& scene, const RenderOptions& options, const std:
         const Stopwatch watch;
         RenderResult found;
         try {
-            found = CarefulRender(scene, irradiance_options(options), careful.device(), progress, {{}, {}, care.next_device}).run();
+            found = CarefulRender(scene, irradiance_options(options), careful.device(), progress, {{}, {}, care.helpers, care.next_device})
+                        .run();
         } catch (const DeviceError& error) {  // the image is there
             result.failure = error.what();
             return IrradianceImage{{}, {}, true, true};

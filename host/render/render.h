@@ -14,8 +14,9 @@ namespace pencil {
 
 /// What is done so that no work is lost.
 struct RenderCare {
-    std::filesystem::path checkpoint;  // written as the render goes; empty: none
-    std::filesystem::path resume;      // a checkpoint to go on from; empty: none
+    std::filesystem::path checkpoint;              // written as the render goes; empty: none
+    std::filesystem::path resume;                  // a checkpoint to go on from; empty: none
+    std::vector<std::shared_ptr<Device>> helpers;  // devices that share the work
     /// Another device where one has failed, null if there is none: what was finished is taken along.
     std::function<std::shared_ptr<Device>(const Device& failed)> next_device;
 };

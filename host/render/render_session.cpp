@@ -63,9 +63,9 @@ RenderOptions resolve(const RenderOptions& options, const Scene& scene) {
 }
 
 RenderSession::RenderSession(const Scene& scene, const RenderOptions& options, const std::shared_ptr<Device>& device,
-                             const Progress& progress)
-    : context_(
-          std::make_unique<RenderContext>(scene, checked(options, scene, *device), find_method(options.method).needs, device, progress)),
+                             const Progress& progress, const std::vector<std::shared_ptr<Device>>& helpers)
+    : context_(std::make_unique<RenderContext>(scene, checked(options, scene, *device), find_method(options.method).needs, device, progress,
+                                               helpers)),
       method_(find_method(options.method).make(*context_)) {}
 
 RenderSession::~RenderSession() = default;

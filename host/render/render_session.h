@@ -20,9 +20,10 @@ RenderOptions resolve(const RenderOptions& options, const Scene& scene);
 /// The only owner of a solve. Not thread-safe.
 class RenderSession {
 public:
-    /// `scene` must outlive the session. `progress` is called between launches and may stop the work. UsageError for options out of range,
+    /// `scene` must outlive the session. `helpers`: devices that share the work; the image is the same. `progress` is called between launches and may stop the work. UsageError for options out of range,
     /// MemoryError if the film alone does not fit the device, DeviceError.
-    RenderSession(const Scene& scene, const RenderOptions& options, const std::shared_ptr<Device>& device, const Progress& progress = {});
+    RenderSession(const Scene& scene, const RenderOptions& options, const std::shared_ptr<Device>& device, const Progress& progress = {},
+                  const std::vector<std::shared_ptr<Device>>& helpers = {});
     ~RenderSession();
     RenderSession(const RenderSession&) = delete;
     RenderSession& operator=(const RenderSession&) = delete;

@@ -4,6 +4,7 @@
 #include "device/device_scene.h"
 #include "device/features.h"
 #include "device/surfels.h"
+#include "surface/viewers.h"
 
 namespace pencil {
 
@@ -26,8 +27,10 @@ struct Chains {
     Buffer<float> uneven;
 };
 
-/// Surfels from number `first` on that have lobes become what chains along these end on, or stop where they are.
-void follow_surfels(Kernels& kernels, const DeviceScene& scene, const ChainLights& lights, int first, uint seed, Surfels& surfels);
+/// Surfels from number `first` on that have lobes become what chains along these end on, or stop where they are. `viewers`: who sees them, so
+/// that where chains go does not depend on what else is followed at once.
+void follow_surfels(Kernels& kernels, const DeviceScene& scene, const ChainLights& lights, int first, uint seed, Surfels& surfels,
+                    const std::optional<Viewers>& viewers = {});
 
 /// Chains that all take a first step from surfels `starts` of `from`, of which `shared` one after the other are the same: their first steps are
 /// spread over its lobes, and over what its base scatters otherwise than evenly.

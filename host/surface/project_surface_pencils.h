@@ -5,16 +5,9 @@
 #include "device/surfels.h"
 #include "surface/pencil_grid.h"
 #include "surface/surface_pencils.h"
+#include "surface/viewers.h"
 
 namespace pencil {
-
-/// Who sees the surfels: pencils of a set from `first` on, by all their texels or so many other rays.
-struct Viewers {
-    const SurfacePencils& pencils;
-    int first;
-    int rays = 0;
-    int rays_each() const { return rays > 0 ? rays : pencils.texels(); }
-};
 
 /// Adds albedo / pi times the irradiance of the pencils near each surfel to outgoing[3][capacity] [W m^-2 sr^-1], but for contacts:
 /// contact[surfel] becomes 1 where the viewer is nearer than `nearness` times the radius of the pencil, and elsewhere 0; nearness 0: none.

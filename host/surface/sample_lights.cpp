@@ -14,9 +14,10 @@ constexpr int most_alone = 24;
 }  // namespace
 
 void sample_lights(Kernels& kernels, const DeviceScene& scene, const Surfels& surfels, const LightSet& lights, int stride, int draws,
-                   uint seed, Buffer<float>& outgoing) {
+                   uint seed, Buffer<float>& outgoing, const std::optional<Viewers>& viewers) {
+    const ViewerArguments seen_by(kernels.device(), viewers);
     kernels.get("sample_lights")
-        .args(surfels.list(), lights.list(), scene.hierarchy(), scene.surfaces(),
+        .args(surfels.list(), seen_by.list(), lights.list(), scene.hierarchy(), scene.surfaces(),
               static_cast<float>(lights.maps.count) / static_cast<float>(draws), lights.alone,
               stride == 1 ? 1 : std::max(lights.alone / most_alone, 1), stride, draws, seed, outgoing)
         .run(static_cast<std::size_t>((surfels.count + light_surfels - 1) / light_surfels), "direct light to surface pencils");

@@ -13,11 +13,11 @@ namespace {
 constexpr std::size_t most_probes = 32;
 
 /// `fewer`: of so many samples one is drawn.
-LobeLights lobe_lights(const RenderContext& context, const std::vector<LightSample>& samples, double fewer) {
+LobeLights lobe_lights(const RenderContext& context, const std::shared_ptr<Device>& device, const std::vector<LightSample>& samples,
+                       double fewer) {
     const auto is_sky = [](const LightSample& s) { return s.position.w == LIGHT_INFINITE && s.normal.w > 0; };
     const auto sky = static_cast<double>(std::count_if(samples.begin(), samples.end(), is_sky));
-    return {Buffer<float>(context.kernels.device(), near_areas(context.flat, samples, fewer), "near areas of emitters"),
-            static_cast<float>(sky / fewer)};
+    return {Buffer<float>(device, near_areas(context.flat, samples, fewer), "near areas of emitters"), static_cast<float>(sky / fewer)};
 }
 
 /// Places of the point lights that look for bright spots near them: the strongest.
@@ -44,9 +44,8 @@ double power_of(const std::vector<LightSample>& samples) {
 
 }  // namespace
 
-SurfaceLights surface_lights(const RenderContext& context, const SurfacePass& pass, const std::vector<LightSample>& of_film,
-                             std::uint64_t seed) {
-    const auto& device = context.kernels.device();
+SurfaceLights surface_lights(const RenderContext& context, const std::shared_ptr<Device>& device, const SurfacePass& pass,
+                             const std::vector<LightSample>& of_film, std::uint64_t seed) {
     const std::vector<LightSample> samples = sample_lights(context.scene, context.flat, context.forms, pass.texel_light_samples, seed);
     const auto near = [&](const std::vector<LightSample>& s) {
         return Buffer<float>(device, near_areas(context.flat, s), "near areas of emitters");
@@ -55,9 +54,9 @@ SurfaceLights surface_lights(const RenderContext& context, const SurfacePass& pa
     return {samples.empty() ? LightSet() : LightSet(device, samples, 0),
             near(of_film),
             near(samples),
-            lobe_lights(context, of_film, fewer_lights(pass, static_cast<int>(of_film.size()))),
-            lobe_lights(context, samples, of_all / pass.world.light_draws),
-            lobe_lights(context, samples, of_all / chain_draws),
+            lobe_lights(context, device, of_film, fewer_lights(pass, static_cast<int>(of_film.size()))),
+            lobe_lights(context, device, samples, of_all / pass.world.light_draws),
+            lobe_lights(context, device, samples, of_all / chain_draws),
             point_lights(samples),
             power_of(samples)};
 }

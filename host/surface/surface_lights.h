@@ -28,8 +28,8 @@ struct SurfaceLights {
     double power = 0;               // of all light samples, rgb together [W]
 };
 
-/// Those of the world set of `pass`, beside the film's samples; `seed`: of the set.
-SurfaceLights surface_lights(const RenderContext& context, const SurfacePass& pass, const std::vector<LightSample>& of_film,
-                             std::uint64_t seed);
+/// Those of the world set of `pass`, beside the film's samples, in memory of the device; `seed`: of the set.
+SurfaceLights surface_lights(const RenderContext& context, const std::shared_ptr<Device>& device, const SurfacePass& pass,
+                             const std::vector<LightSample>& of_film, std::uint64_t seed);
 
 }  // namespace pencil

@@ -156,10 +156,13 @@ bool SurfaceMethod::add_direct(const SurfacePass& pass, std::uint64_t seed) {
 /// The world set of the passes from this one on, from what its frame shows.
 void SurfaceMethod::place_world(const SurfacePass& pass, const FilmPixels& pixels) {
     const std::uint64_t seed = hash64(hash64(context_.options.seed) + static_cast<std::uint64_t>(pass.world_set) + 1);
-    SurfaceLights lights = surface_lights(context_, pass, frame_->light_samples(), seed);
+    SurfaceLights lights = surface_lights(context_, context_.kernels.device(), pass, frame_->light_samples(), seed);
     solver_ = nullptr;  // its memory first
     solver_ = std::make_unique<SurfaceSolver>(context_.kernels, context_.device_scene, std::move(lights), pass.world, context_.clock,
-                                              static_cast<uint>(seed >> 32));
+                                              static_cast<uint>(seed >> 32), context_.stats);
+    for (const auto& copy : context_.copies)
+        if (copy->failure.empty())
+            solver_->add_helper(*copy, surface_lights(context_, copy->kernels.device(), pass, frame_->light_samples(), seed));
     if (context_.wanted(2)) solver_->place(seeds(pixels), course_.guess);
 }
 

@@ -6,16 +6,12 @@
 
 #include "film/bounce_series.h"
 #include "pencils/low_discrepancy.h"
-#include "surface/approach_emitters.h"
 #include "surface/close_series.h"
 #include "surface/emit_chains.h"
 #include "surface/emit_hemispheres.h"
 #include "surface/follow_surfels.h"
-#include "surface/guide_hemispheres.h"
 #include "surface/krylov.h"
-#include "surface/measure_hemispheres.h"
 #include "surface/near_lights.h"
-#include "surface/project_contacts.h"
 #include "surface/sample_lights.h"
 #include "surface/share_hemispheres.h"
 #include "surface/sum_guides.h"
@@ -34,10 +30,6 @@ constexpr int most_steps = 16;
 constexpr int most_iterations = 256;
 /// Bounces from which on the series is geometric enough to stop: light of the samples joins in the first, and ratios need two more.
 constexpr int least_iterations = 3;
-/// Light samples that a packet of texels chooses from.
-constexpr int most_candidates = 24;
-/// Contacts are seen from nearer than this share of the radius of a pencil: found by trial.
-constexpr float nearness = 0.5F;
 /// Bright points this share of the distance from which things are seen apart may be one spot: wide cones cost little where light is concentrated, and
 /// hold what is bright about it.
 constexpr float spot_reach = 0.4F;
@@ -55,14 +47,16 @@ glm::dvec3 power(const Buffer<float4>& irradiance) {
 }  // namespace
 
 SurfaceSolver::SurfaceSolver(Kernels& kernels, const DeviceScene& scene, SurfaceLights lights, const WorldQuality& quality,
-                             StageClock& clock, uint seed)
+                             StageClock& clock, uint seed, RenderStats& stats)
     : kernels_(kernels),
       scene_(scene),
       lights_(std::move(lights)),
       quality_(quality),
       clock_(clock),
       seed_(seed),
-      world_(kernels, scene, quality.pencils, seed_, lights_.drawn) {}
+      world_(kernels, scene, quality.pencils, seed_, lights_.drawn),
+      gatherer_(kernels, scene, lights_, quality.light_draws, chunk_surfels >> quality.thrift),
+      team_(kernels, stats) {}
 
 SurfaceSolver::Course SurfaceSolver::course() const { return {gathers_, spots_.has_value(), spots_ ? spots_->found : std::vector<Spot>()}; }
 
@@ -80,51 +74,27 @@ void SurfaceSolver::solve(int map, int orders, double tolerance, std::uint64_t s
     limited_ = orders >= 0;
     direct_ = !limited_ || orders >= 2;
     contacts_ = !limited_ || orders >= 3;
-    if (!direct_ || world_.pencils().count == 0) return;  // film pencils see no reflections
+    if (!direct_ || world_.pencils().count == 0) return inform_team();  // film pencils see no reflections
     seed_ = static_cast<uint>(hash64(seed) >> 32);
     clock_.run("world pencils", [&] { world_.gather(map, seed); });
     clock_.run("world bounces", [&] {
         iterate(orders, tolerance);
         if (!spots_) look_for_spots();  // so few orders that the world set needs no light of the samples
     });
+    inform_team();
 }
 
-/// Room for the texels of one chunk, whose radiance becomes 0.
-void SurfaceSolver::reserve(Gathered& gathered, int texels) {
-    if (gathered.surfels.capacity < texels) {
-        const auto& device = kernels_.device();
-        gathered.surfels = Surfels(kernels_, texels, "surfels of surface pencils");
-        gathered.outgoing = surfel_rgb(device, gathered.surfels.capacity, "radiance to surface pencils");
-        gathered.contact = Buffer<unsigned char>(device, static_cast<std::size_t>(gathered.surfels.capacity), "contacts");
-    }
-    gathered.outgoing.fill_zero();
-}
-
-/// Adds reflected light of the light samples.
-void SurfaceSolver::light(const Surfels& surfels, int draws, Buffer<float>& outgoing, uint seed) {
-    const int count = lights_.samples.maps.count;
-    if (count > 0) sample_lights(kernels_, scene_, surfels, lights_.samples, std::max(count / most_candidates, 1), draws, seed, outgoing);
-}
-
-/// Each gather draws others.
-uint SurfaceSolver::next_seed() { return static_cast<uint>(hash64((std::uint64_t{seed_} << 32) + ++gathers_) >> 32); }
-
-/// Adds reflected light of the light samples that this gather draws.
-void SurfaceSolver::light(Gathered& gathered) { light(gathered.surfels, quality_.light_draws, gathered.outgoing, next_seed()); }
-
-/// Surfels with lobes become what these show.
-void SurfaceSolver::follow(Surfels& surfels) {
-    if (kernels_.features().lobes) follow_surfels(kernels_, scene_, {lights_.drawn, lights_.drawn}, 0, next_seed(), surfels);
-}
+/// Each draws other light samples.
+std::uint64_t SurfaceSolver::next_seed() { return hash64((std::uint64_t{seed_} << 32) + ++gathers_); }
 
 Chains SurfaceSolver::follow(const Surfels& film, const Buffer<int>& starts, int shared) {
-    return follow_surfels(kernels_, scene_, film, starts, shared, {lights_.film, lights_.chains}, next_seed());
+    return follow_surfels(kernels_, scene_, film, starts, shared, {lights_.film, lights_.chains}, static_cast<uint>(next_seed() >> 32));
 }
 
 Buffer<float> SurfaceSolver::radiance(const Surfels& chains) {
     Buffer<float> radiance = surfel_rgb(kernels_.device(), chains.capacity, "radiance of chains");
     emit_chains(kernels_, scene_, chains, radiance);
-    if (direct_) light(chains, chain_draws, radiance, next_seed());
+    if (direct_) Gatherer(kernels_, scene_, lights_, chain_draws, 0).light(chains, radiance, next_seed() >> 32);
     if (const SurfacePencils& world = world_.pencils(); world.count > 0) {
         Buffer<unsigned char> unused(kernels_.device(), static_cast<std::size_t>(chains.capacity), "no contacts");
         project_surface_pencils(kernels_, chains, world, world.irradiance, world_.grid(), {world, 0}, 0, radiance, unused);
@@ -133,28 +103,26 @@ Buffer<float> SurfaceSolver::radiance(const Surfels& chains) {
 }
 
 void SurfaceSolver::gather(SurfacePencils& pencils, int first, int count, const TexelPoints& points, Reach reach) {
-    const int chunk = std::max((chunk_surfels >> quality_.thrift) / pencils.texels(), 1);
-    auto& [surfels, outgoing, contact] = seen_;
-    for (int at = first; at < first + count; at += chunk) {
-        const int part = std::min(chunk, first + count - at);
-        reserve(seen_, part * pencils.texels());
-        trace_hemispheres(kernels_, scene_, pencils, at, part, points, surfels);
-        measure_hemispheres(kernels_, surfels, 0, at, part, pencils);
-        if (reach == Reach::others) approach_emitters(kernels_, scene_, surfels, at, part, lights_.near_film, pencils);
-        follow(surfels);
-        if (direct_) light(seen_);
-        const SurfacePencils& world = world_.pencils();
-        const Reading reading{world.irradiance, contacts_ ? nearness : 0};
-        if (world.count > 0)
-            project_surface_pencils(kernels_, surfels, world, reading.irradiance, world_.grid(), {pencils, at}, reading.nearness, outgoing,
-                                    contact);
-        // Texels and rays towards spots share what is reflected; contacts and emission are left to texels.
-        if (has_spots()) share_hemispheres(kernels_, pencils, at, part, *spots_, points, outgoing, surfels.capacity);
-        if (contacts_ && world.count > 0) gather_contacts({pencils, at}, part, points);
-        emit_hemispheres(kernels_, scene_, surfels, pencils, at, lights_.near_film, outgoing);
-        sum_hemispheres(kernels_, outgoing, surfels.capacity, 0, at, part, pencils.n, pencils.irradiance);
-        if (has_spots()) gather_spots(pencils, at, part, points, reading);
-    }
+    team_.gather(gatherer_, source(), {points, reach, next_seed()}, pencils, first, count);
+}
+
+GatherSource SurfaceSolver::source() const {
+    return {world_.pencils(), shorter_, world_.grid(), has_spots() ? &*spots_ : nullptr, direct_, contacts_};
+}
+
+void SurfaceSolver::add_helper(DeviceCopy& copy, SurfaceLights lights) {
+    team_.add(std::make_unique<GatherHelper>(copy, std::move(lights), quality_.light_draws, chunk_surfels >> quality_.thrift));
+}
+
+/// Helpers read the world set as it is now.
+void SurfaceSolver::inform_team() {
+    if (team_.alone()) return;
+    const SurfacePencils& world = world_.pencils();
+    const auto count = static_cast<std::size_t>(world.count);
+    HostWorld solved{world.n, world.data.read(0, count), world.irradiance.read(0, count), {}, {}, direct_, contacts_};
+    if (shorter_.allocated()) solved.shorter = shorter_.read(0, count);
+    if (has_spots()) solved.spots = spots_->found;
+    team_.take_world(solved);
 }
 
 bool SurfaceSolver::has_spots() const { return direct_ && spots_ && spots_->count > 0; }
@@ -164,7 +132,7 @@ void SurfaceSolver::look_for_spots() {
     spots_.emplace();
     if (lights_.samples.maps.count == 0) return;
     Buffer<float> outgoing = surfel_rgb(kernels_.device(), world_.surfels().capacity, "radiance to the world set");
-    light(world_.surfels(), quality_.light_draws, outgoing, seed_);
+    gatherer_.light(world_.surfels(), outgoing, seed_);
     spots_ = spots_among(outgoing);
 }
 
@@ -185,54 +153,10 @@ std::vector<Spot> SurfaceSolver::spots_near_lights() {
     if (lights_.points.empty()) return {};
     const SurfacePencils probes = probes_of(kernels_.device(), lights_.points);
     Gathered met;
-    reserve(met, probes.count * probes.texels());
+    gatherer_.reserve(met, probes.count * probes.texels());
     trace_hemispheres(kernels_, scene_, probes, 0, probes.count, {}, met.surfels);
-    light(met.surfels, quality_.light_draws, met.outgoing, seed_);
+    gatherer_.light(met.surfels, met.outgoing, seed_);
     return near_light_spots(lights_.points, met.surfels, met.outgoing, near_reach * world_.seen_distance(), lights_.power);
-}
-
-/// Rays of these pencils towards bright spots, in guided_ and factors_.
-void SurfaceSolver::guide(const SurfacePencils& pencils, int first, int count, const TexelPoints& points) {
-    reserve(guided_, count * SPOT_RAYS);
-    const auto capacity = static_cast<std::size_t>(guided_.surfels.capacity);
-    if (factors_.size() < capacity) factors_ = Buffer<float>(kernels_.device(), capacity, "factors of guided rays");
-    guide_hemispheres(kernels_, scene_, pencils, first, count, *spots_, points, guided_.surfels, factors_);
-    follow(guided_.surfels);
-}
-
-/// Adds what rays of these pencils towards bright spots find reflected.
-void SurfaceSolver::gather_spots(SurfacePencils& pencils, int first, int count, const TexelPoints& points, const Reading& reading) {
-    guide(pencils, first, count, points);
-    auto& [surfels, outgoing, contact] = guided_;
-    light(guided_);
-    const SurfacePencils& world = world_.pencils();
-    project_surface_pencils(kernels_, surfels, world, reading.irradiance, world_.grid(), {pencils, first, SPOT_RAYS}, reading.nearness,
-                            outgoing, contact);
-    sum_guides(kernels_, outgoing, surfels.capacity, factors_, first, count, pencils.irradiance);
-}
-
-/// Light of order 2 and more to contacts among what these pencils see: one order more than the world set has in store for its readers.
-void SurfaceSolver::gather_contacts(const Viewers& viewers, int count, const TexelPoints& points) {
-    const std::vector<unsigned char> is_contact = seen_.contact.read(0, static_cast<std::size_t>(seen_.surfels.count));
-    const std::vector<SurfacePencil> seeing =
-        viewers.pencils.data.read(static_cast<std::size_t>(viewers.first), static_cast<std::size_t>(count));
-    const Contacts contacts = choose_contacts(is_contact, seeing, viewers.pencils.texels(), points);
-    if (contacts.counts.empty()) return;
-    SurfacePencils pencils(kernels_.device(), static_cast<int>(contacts.counts.size()), contact_map);
-    place_surface_pencils(kernels_, seen_.surfels, contacts.chosen, pencils);
-    reserve(beyond_, pencils.count * pencils.texels());
-    auto& [surfels, outgoing, unused] = beyond_;
-    trace_hemispheres(kernels_, scene_, pencils, 0, pencils.count, points, surfels);
-    follow(surfels);
-    light(beyond_);
-    const SurfacePencils& world = world_.pencils();
-    const Reading reading{limited_ ? shorter_ : world.irradiance, 0};
-    project_surface_pencils(kernels_, surfels, world, reading.irradiance, world_.grid(), {pencils, 0}, reading.nearness, outgoing, unused);
-    if (has_spots()) share_hemispheres(kernels_, pencils, 0, pencils.count, *spots_, points, outgoing, surfels.capacity);
-    emit_hemispheres(kernels_, scene_, surfels, pencils, 0, lights_.near_texel, outgoing);
-    sum_hemispheres(kernels_, outgoing, surfels.capacity, 0, 0, pencils.count, pencils.n, pencils.irradiance);
-    if (has_spots()) gather_spots(pencils, 0, pencils.count, points, reading);
-    project_contacts(kernels_, seen_.surfels, contacts, pencils, seen_.outgoing);
 }
 
 /// Irradiance of all pencils of the world set from emitters near them, or from reflected light of the light samples.
@@ -243,7 +167,7 @@ void SurfaceSolver::sum_light(bool emission, bool direct, Buffer<float4>& irradi
     // Texels in which spots are found are not to count less where they found them: only the next ones share them with rays.
     const bool guided = direct && has_spots();
     if (direct) {
-        light(world_.surfels(), quality_.light_draws, outgoing, seed_);
+        gatherer_.light(world_.surfels(), outgoing, seed_);
         if (!spots_) spots_ = spots_among(outgoing);
         if (guided)
             share_hemispheres(kernels_, world_.starts(), 0, world_.starts().count, *spots_, world_.points(), outgoing,
@@ -259,11 +183,11 @@ void SurfaceSolver::sum_spots(Buffer<float4>& irradiance) {
     Buffer<float4> of_starts(kernels_.device(), static_cast<std::size_t>(starts.count), "light of bright spots");
     of_starts.fill_zero();
     const int chunk = (chunk_surfels >> quality_.thrift) / SPOT_RAYS;
+    const std::uint64_t seed = next_seed();
     for (int at = 0; at < starts.count; at += chunk) {
         const int part = std::min(chunk, starts.count - at);
-        guide(starts, at, part, world_.points());
-        light(guided_);
-        sum_guides(kernels_, guided_.outgoing, guided_.surfels.capacity, factors_, at, part, of_starts);
+        const Gatherer::Guided& guided = gatherer_.guide(*spots_, {world_.points(), Reach::own, seed}, starts, at, part, Keys::shared);
+        sum_guides(kernels_, guided.found.outgoing, guided.found.surfels.capacity, guided.factors, at, part, of_starts);
     }
     const std::vector<float4> guided = of_starts.read();
     const std::size_t pencils = static_cast<std::size_t>(world_.pencils().count), each = guided.size() / std::max<std::size_t>(pencils, 1);

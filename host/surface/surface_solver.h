@@ -7,6 +7,8 @@
 #include "device/stage_clock.h"
 #include "film/bounce_series.h"
 #include "surface/follow_surfels.h"
+#include "surface/gather_team.h"
+#include "surface/gatherer.h"
 #include "surface/project_surface_pencils.h"
 #include "surface/spots.h"
 #include "surface/surface_lights.h"
@@ -22,9 +24,6 @@ struct WorldQuality {
     int thrift = 0;       // halvings of what is worked on at once
 };
 
-/// Whom the irradiance of pencils is for: their own surfels, or others near them, too, so that emitters near them matter.
-enum class Reach { own, others };
-
 class SurfaceSolver {
 public:
     /// What the next solve() needs of those before, but for the world set.
@@ -36,7 +35,9 @@ public:
     };
 
     SurfaceSolver(Kernels& kernels, const DeviceScene& scene, SurfaceLights lights, const WorldQuality& quality, StageClock& clock,
-                  uint seed);
+                  uint seed, RenderStats& stats);
+    /// Another device shares what is gathered from now on.
+    void add_helper(DeviceCopy& copy, SurfaceLights lights);
 
     /// Places the world set from what the texels of `seeds` see; `spacing`: see WorldSet::cover.
     void place(const SurfacePencils& seeds, float spacing);
@@ -70,34 +71,18 @@ public:
     int spots() const { return spots_ ? spots_->count : 0; }
 
 private:
-    /// Surfels that texels see, what they send, and which of them are contacts.
-    struct Gathered {
-        Surfels surfels;
-        Buffer<float> outgoing;
-        Buffer<unsigned char> contact;
-    };
     void sum_light(bool emission, bool direct, Buffer<float4>& irradiance);
-    void light(const Surfels& surfels, int draws, Buffer<float>& outgoing, uint seed);
-    void light(Gathered& gathered);
-    void follow(Surfels& surfels);
-    uint next_seed();
+    std::uint64_t next_seed();
     void iterate(int orders, double tolerance);
     void close_series(const BounceSeries& series, const Buffer<float4>& last);
     void solve_rest(const Buffer<float4>& last, double tolerance);
-    void reserve(Gathered& gathered, int texels);
-    void gather_contacts(const Viewers& viewers, int count, const TexelPoints& points);
+    GatherSource source() const;
+    void inform_team();
     void look_for_spots();
     DeviceSpots spots_among(const Buffer<float>& outgoing);
     std::vector<Spot> spots_near_lights();
-    void guide(const SurfacePencils& pencils, int first, int count, const TexelPoints& points);
     void sum_spots(Buffer<float4>& irradiance);
-    /// How texels read the world set: this irradiance of its pencils, and none nearer than this share of their radius.
-    struct Reading {
-        const Buffer<float4>& irradiance;
-        float nearness;
-    };
     bool has_spots() const;
-    void gather_spots(SurfacePencils& pencils, int first, int count, const TexelPoints& points, const Reading& reading);
 
     Kernels& kernels_;
     const DeviceScene& scene_;
@@ -106,9 +91,8 @@ private:
     StageClock& clock_;
     uint seed_;
     WorldSet world_;
-    Gathered seen_, beyond_;  // of one chunk of gather(), and what its contacts see
-    Gathered guided_;         // what it sees towards bright spots,
-    Buffer<float> factors_;   // and how that counts
+    Gatherer gatherer_;
+    GatherTeam team_;
     std::optional<DeviceSpots> spots_;
     Buffer<float4> shorter_;     // irradiance of the world set up to one order less, if orders are limited
     bool direct_ = true;         // reflections of order 2 are part of the image

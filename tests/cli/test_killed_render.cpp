@@ -117,6 +117,27 @@ TEST_F(KilledRender, AnotherDeviceGoesOn) {
     EXPECT_EQ(run(render("b.exr", {"--device", "0"}), two).code, 4) << "a device that was named is not replaced";
 }
 
+TEST_F(KilledRender, DevicesThatShareARenderGiveTheSameImageWhicheverFails) {
+    ASSERT_EQ(run(render("straight.exr", {})).code, 0);
+    RunOptions two;
+    two.environment["POCL_DEVICES"] = "basic pthread";
+    const RunResult shared = run(render("shared.exr", {"--device", "0,1"}), two);
+    ASSERT_EQ(shared.code, 0) << shared.err;
+    EXPECT_EQ(largest_difference(folder / "straight.exr", folder / "shared.exr"), 0.0);
+    const nlohmann::json pencils = stats("shared.exr")["device_pencils"];
+    ASSERT_EQ(pencils.size(), 2) << pencils;
+    for (const auto& of_device : pencils) EXPECT_GT(of_device.get<int>(), 0) << pencils;
+    for (const std::string fault : {"lost:300@2", "memory:60+@2", "lost:400@1"}) {
+        two.environment["PENCIL_FAULT"] = fault;
+        const RunResult result = run(render("a.exr", {"--device", "0,1"}), two);
+        ASSERT_EQ(result.code, 0) << fault << result.err;
+        EXPECT_NE(result.err.find("PENCIL_FAULT"), std::string::npos) << fault << result.err;
+        EXPECT_EQ(largest_difference(folder / "straight.exr", folder / "a.exr"), 0.0) << fault;
+    }
+    EXPECT_EQ(run(render("b.exr", {"--device", "0,0"}), two).code, 2);
+    EXPECT_EQ(run(render("b.exr", {"--device", "0,1", "--method", "line"}), two).code, 2);
+}
+
 TEST_F(KilledRender, ShortMemoryIsTriedAgainWithLess) {
     const RunResult result = run_with_fault("a.exr", "memory:200");
     ASSERT_EQ(result.code, 0) << result.err;
