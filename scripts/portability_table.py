@@ -13,8 +13,8 @@ import sys
 
 PROGRAM = "build/release/pencil"
 RENDERS = {"surface": ["cornell-box", "--target-error", "1"], "lobes": ["still-life", "--target-error", "1"],
-           "line": ["cornell-box", "--method", "line", "--pencils", "32"]}
-SIZE, TINY = "64x48", "8x6"
+           "line": ["cornell-box", "--method", "line", "--pencils", "16"]}
+SIZE, TINY = "64x48", "6x4"
 MOST = 1e-5
 # Rounding decides where long chains of mirrors go: another vector unit, another chain.
 MOST_LOBES = 1e-4
@@ -47,6 +47,8 @@ class Runtime:
     def render(self, kind):
         """Seconds of building and of kernels, and the image's file; or what went wrong."""
         scene, *options = RENDERS[kind]
+        if self.is_slow:
+            options = ["--time" if option == "--target-error" else "0.001" if option == "1" else option for option in options]
         image, outside = self.path(kind + ".exr")
         stats, stats_outside = self.path("stats.json")
         done = self.run("render", ("/pencil/" if self.inside else "") + f"scenes/{scene}.xml", "-o", image, "--stats", stats, "--seed", "1",

@@ -14,7 +14,7 @@ namespace pencil {
 namespace {
 
 /// Parts that each device takes of a set, about, and pencils of one at least: small ones keep all busy to the end, large ones cost fewer launches.
-constexpr int parts_each = 4, least_part = 128;
+constexpr int parts_each = 4, least_part = 64;
 
 struct Part {
     int first, count;
@@ -75,7 +75,7 @@ private:
     std::vector<std::thread> threads_;
 };
 
-std::string name_of(Kernels& kernels) {
+std::string name_of(const Kernels& kernels) {
     const DeviceInfo& info = kernels.device()->info();
     return fmt::format("{} {}", info.index, info.name);
 }
@@ -118,6 +118,19 @@ void GatherHelper::gather(const GatherTurn& turn, int n, int first, int count, s
     std::copy(sums.begin(), sums.end(), irradiance.begin() + first);
 }
 
+void GatherTeam::add(DeviceCopy& copy, const std::function<std::unique_ptr<GatherHelper>()>& make) {
+    try {
+        helpers_.push_back(make());
+    } catch (const Error& error) {
+        copy.failure = error.what();
+        report(copy);
+    }
+}
+
+void GatherTeam::report(const DeviceCopy& copy) {
+    stats_.warnings.push_back(fmt::format("device {} helps no more: {}", name_of(copy.kernels), copy.failure));
+}
+
 void GatherTeam::take_world(const HostWorld& world) {
     for (const auto& helper : helpers_) try {
             helper->take_world(world);
@@ -129,8 +142,7 @@ void GatherTeam::take_world(const HostWorld& world) {
 
 void GatherTeam::dismiss_failed() {
     for (const auto& helper : helpers_)
-        if (!helper->copy().failure.empty())
-            stats_.warnings.push_back(fmt::format("device {} helps no more: {}", name_of(helper->copy().kernels), helper->copy().failure));
+        if (!helper->copy().failure.empty()) report(helper->copy());
     helpers_.erase(std::remove_if(helpers_.begin(), helpers_.end(), [](const auto& helper) { return !helper->copy().failure.empty(); }),
                    helpers_.end());
 }
@@ -144,8 +156,9 @@ void GatherTeam::gather(Gatherer& own, const GatherSource& source, const GatherT
     std::vector<Done> done(helpers_.size());
     Crew crew(parts);
     for (std::size_t k = 0; k < helpers_.size(); ++k)
-        crew.start([&, k] {
-            while (const std::optional<Part> part = parts.take()) try {
+        // Each has its first part before anybody begins: none goes without because another was faster to start.
+        crew.start([&, k, part = parts.take()]() mutable {
+            for (; part; part = parts.take()) try {
                     helpers_[k]->gather(turn, pencils.n, part->first, part->count, data, irradiance);
                     done[k].parts.push_back(*part);
                     done[k].pencils += static_cast<std::uint64_t>(part->count);

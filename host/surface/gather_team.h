@@ -2,6 +2,7 @@
 // that fails has begun is done by another. The image is that of one device alone, as far as devices round alike.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -47,7 +48,8 @@ public:
     /// `stats`: says what each device did, and which failed.
     GatherTeam(Kernels& kernels, RenderStats& stats) : kernels_(kernels), stats_(stats) {}
 
-    void add(std::unique_ptr<GatherHelper> helper) { helpers_.push_back(std::move(helper)); }
+    /// A helper that cannot be made is done without.
+    void add(DeviceCopy& copy, const std::function<std::unique_ptr<GatherHelper>()>& make);
     bool alone() const { return helpers_.empty(); }
     void take_world(const HostWorld& world);
 
@@ -55,6 +57,7 @@ public:
     void gather(Gatherer& own, const GatherSource& source, const GatherTurn& turn, SurfacePencils& pencils, int first, int count);
 
 private:
+    void report(const DeviceCopy& copy);
     void dismiss_failed();
 
     Kernels& kernels_;

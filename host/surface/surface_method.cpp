@@ -162,7 +162,8 @@ void SurfaceMethod::place_world(const SurfacePass& pass, const FilmPixels& pixel
                                               static_cast<uint>(seed >> 32), context_.stats);
     for (const auto& copy : context_.copies)
         if (copy->failure.empty())
-            solver_->add_helper(*copy, surface_lights(context_, copy->kernels.device(), pass, frame_->light_samples(), seed));
+            solver_->add_helper(*copy,
+                                [&] { return surface_lights(context_, copy->kernels.device(), pass, frame_->light_samples(), seed); });
     if (context_.wanted(2)) solver_->place(seeds(pixels), course_.guess);
 }
 

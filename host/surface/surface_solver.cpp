@@ -110,8 +110,8 @@ GatherSource SurfaceSolver::source() const {
     return {world_.pencils(), shorter_, world_.grid(), has_spots() ? &*spots_ : nullptr, direct_, contacts_};
 }
 
-void SurfaceSolver::add_helper(DeviceCopy& copy, SurfaceLights lights) {
-    team_.add(std::make_unique<GatherHelper>(copy, std::move(lights), quality_.light_draws, chunk_surfels >> quality_.thrift));
+void SurfaceSolver::add_helper(DeviceCopy& copy, const std::function<SurfaceLights()>& lights) {
+    team_.add(copy, [&] { return std::make_unique<GatherHelper>(copy, lights(), quality_.light_draws, chunk_surfels >> quality_.thrift); });
 }
 
 /// Helpers read the world set as it is now.

@@ -1,6 +1,7 @@
 // Light of surface pencils: the world set's irradiance after all bounces, and what film pencils gather from it.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "device/pencil_set.h"
@@ -37,7 +38,7 @@ public:
     SurfaceSolver(Kernels& kernels, const DeviceScene& scene, SurfaceLights lights, const WorldQuality& quality, StageClock& clock,
                   uint seed, RenderStats& stats);
     /// Another device shares what is gathered from now on.
-    void add_helper(DeviceCopy& copy, SurfaceLights lights);
+    void add_helper(DeviceCopy& copy, const std::function<SurfaceLights()>& lights);
 
     /// Places the world set from what the texels of `seeds` see; `spacing`: see WorldSet::cover.
     void place(const SurfacePencils& seeds, float spacing);
