@@ -3,7 +3,7 @@
 // Such surfels, and those that no pencil reaches, are named instead: contacts, which gather for themselves (surface/contacts.h).
 
 #include "lib/brdf.cl"
-#include "lib/pencil_grid.cl"
+#include "lib/stand_in.cl"
 #include "shared/surface_pencil.h"
 #include "shared/surfel.h"
 
@@ -13,20 +13,22 @@ static inline bool is_contact(global const SurfacePencil *pencils, const PencilL
 }
 
 /// launch : 1-D, one work-item per surfel
-/// in     : surfels; pencils, their irradiance and their grid; viewers[first_viewer ..]: who sees the surfels, `texels` of them each;
+/// in     : surfels; pencils, their irradiance and their grid; the hierarchy of the scene, for pencils that stand in; viewers[first_viewer ..]: who sees the surfels, `texels` of them each;
 ///          nearness: a contact is seen from nearer than this share of the radius of the pencil that counts most there, 0: there are none
 /// out    : outgoing[3][capacity] [W m^-2 sr^-1], added to; contact[surfel_count]: 1 at contacts, which receive nothing here, else 0
 /// needs  : surfels that no pencil may stand for receive nothing
 kernel void project_surface_pencils(global const float *surfels, int capacity, int surfel_count, global const SurfacePencil *pencils,
                                     global const float4 *irradiance, PencilGrid grid, global const int *starts, global const float *entries,
-                                    global const SurfacePencil *viewers, int first_viewer, int texels, float nearness,
-                                    global float *outgoing, global uchar *contact) {
+                                    global const BvhNode *nodes, global const int *leaves, global const Triangle *triangles,
+                                    global const float4 *planes, global const SurfacePencil *viewers, int first_viewer, int texels,
+                                    float nearness, global float *outgoing, global uchar *contact) {
     int i = get_global_id(0);
     if (i >= surfel_count) return;
     contact[i] = 0;
     size_t c = capacity;
     global const float *s = surfels + i;
-    if (SURFEL_CONST_INT(s, SURFEL_PLANE * c) < 0) return;
+    int plane = SURFEL_CONST_INT(s, SURFEL_PLANE * c);
+    if (plane < 0) return;
     float3 x = (float3)(s[SURFEL_X * c], s[SURFEL_Y * c], s[SURFEL_Z * c]),
            n = (float3)(s[SURFEL_NX * c], s[SURFEL_NY * c], s[SURFEL_NZ * c]);
     float3 albedo = (float3)(s[SURFEL_ALBEDO_R * c], s[SURFEL_ALBEDO_G * c], s[SURFEL_ALBEDO_B * c]);
@@ -39,7 +41,7 @@ kernel void project_surface_pencils(global const float *surfels, int capacity, i
             return;
         }
     } else {
-        links = nearest_pencils(pencils, grid, starts, entries, x, n);
+        links = nearest_pencils(pencils, grid, starts, entries, x, n, plane, nodes, leaves, triangles, planes);
     }
     float3 radiance = brdf_reflect(albedo, linked_irradiance(irradiance, links));
     outgoing[i] += radiance.x;

@@ -76,7 +76,8 @@ void Gatherer::gather_chunk(const GatherSource& source, const GatherTurn& turn, 
     follow(surfels, seed_of(turn.seed, chains_of_texels), viewers);
     if (source.direct) light(surfels, outgoing, seed_of(turn.seed, lights_of_texels), viewers);
     if (world.count > 0)
-        project_surface_pencils(kernels_, surfels, world, reading.irradiance, source.grid, viewers, reading.nearness, outgoing, contact);
+        project_surface_pencils(kernels_, scene_, surfels, world, reading.irradiance, source.grid, viewers, reading.nearness, outgoing,
+                                contact);
     // Texels and rays towards spots share what is reflected; contacts and emission are left to texels.
     if (source.spots) share_hemispheres(kernels_, pencils, first, count, *source.spots, turn.points, outgoing, surfels.capacity);
     if (source.contacts && world.count > 0) gather_contacts(source, turn, viewers, count);
@@ -104,8 +105,8 @@ void Gatherer::gather_spots(const GatherSource& source, const GatherTurn& turn, 
                             const Reading& reading) {
     guide(*source.spots, turn, pencils, first, count, Keys::own);
     auto& [surfels, outgoing, contact] = guided_.found;
-    project_surface_pencils(kernels_, surfels, source.world, reading.irradiance, source.grid, {pencils, first, SPOT_RAYS}, reading.nearness,
-                            outgoing, contact);
+    project_surface_pencils(kernels_, scene_, surfels, source.world, reading.irradiance, source.grid, {pencils, first, SPOT_RAYS},
+                            reading.nearness, outgoing, contact);
     sum_guides(kernels_, outgoing, surfels.capacity, guided_.factors, first, count, pencils.irradiance);
 }
 
@@ -125,8 +126,8 @@ void Gatherer::gather_contacts(const GatherSource& source, const GatherTurn& tur
     trace_hemispheres(kernels_, scene_, pencils, 0, pencils.count, turn.points, surfels);
     follow(surfels, seed_of(turn.seed, chains_of_contacts), of_contacts);
     light(surfels, outgoing, seed_of(turn.seed, lights_of_contacts), of_contacts);
-    project_surface_pencils(kernels_, surfels, source.world, reading.irradiance, source.grid, of_contacts, reading.nearness, outgoing,
-                            unused);
+    project_surface_pencils(kernels_, scene_, surfels, source.world, reading.irradiance, source.grid, of_contacts, reading.nearness,
+                            outgoing, unused);
     if (source.spots) share_hemispheres(kernels_, pencils, 0, pencils.count, *source.spots, turn.points, outgoing, surfels.capacity);
     emit_hemispheres(kernels_, scene_, surfels, pencils, 0, lights_.near_texel, outgoing);
     sum_hemispheres(kernels_, outgoing, surfels.capacity, 0, 0, pencils.count, pencils.n, pencils.irradiance);

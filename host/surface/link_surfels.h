@@ -3,6 +3,7 @@
 
 #include <tuple>
 
+#include "device/device_scene.h"
 #include "device/features.h"
 #include "device/surfels.h"
 #include "surface/pencil_grid.h"
@@ -19,7 +20,8 @@ struct SurfaceLinks {
     Buffer<float4> weights;
 };
 
-/// Operator R on the world set, for surfels that are lit again and again.
-SurfaceLinks link_surfels(Kernels& kernels, const Surfels& surfels, const SurfacePencils& pencils, const DeviceGrid& grid);
+/// Operator R on the world set, for surfels that are lit again and again. The scene must have its hierarchy.
+SurfaceLinks link_surfels(Kernels& kernels, const DeviceScene& scene, const Surfels& surfels, const SurfacePencils& pencils,
+                          const DeviceGrid& grid);
 
 }  // namespace pencil

@@ -24,7 +24,7 @@ constexpr double hopeless = 100;
 
 bool Patience::knows_the_mean(const PassesSoFar& so_far) const {
     if (so_far.work >= mean_work) return true;
-    const double wanted = std::min(mean_share * std::sqrt(target_), most_mean_error);
+    const double share = mean_share * std::sqrt(target_), wanted = std::clamp(usual_mean_error, share / 2, share);
     const CertifiedError& certified = so_far.certified;
     const bool contradicted = certified.points > 1 && std::abs(certified.mean_bias) > std::max(2 * certified.mean_error, wanted);
     return !contradicted && so_far.mean_error <= wanted;

@@ -22,8 +22,8 @@ struct PassesSoFar {
 /// The mean of all pixels is to be this much better known than each of them, if that does not take many passes: it is what is seen as too
 /// bright or too dark.
 constexpr double mean_share = 0.125;
-/// However large the error that pixels may have: nobody takes a percent in the mean for noise.
-constexpr double most_mean_error = 0.004;
+/// And twice as well where that leaves more than this: nobody takes a percent in the mean for noise.
+constexpr double usual_mean_error = 0.004;
 
 /// Two passes agree by chance too often.
 constexpr int least_passes = 3;

@@ -97,7 +97,7 @@ Buffer<float> SurfaceSolver::radiance(const Surfels& chains) {
     if (direct_) Gatherer(kernels_, scene_, lights_, chain_draws, 0).light(chains, radiance, next_seed() >> 32);
     if (const SurfacePencils& world = world_.pencils(); world.count > 0) {
         Buffer<unsigned char> unused(kernels_.device(), static_cast<std::size_t>(chains.capacity), "no contacts");
-        project_surface_pencils(kernels_, chains, world, world.irradiance, world_.grid(), {world, 0}, 0, radiance, unused);
+        project_surface_pencils(kernels_, scene_, chains, world, world.irradiance, world_.grid(), {world, 0}, 0, radiance, unused);
     }
     return radiance;
 }
@@ -111,7 +111,8 @@ GatherSource SurfaceSolver::source() const {
 }
 
 void SurfaceSolver::add_helper(DeviceCopy& copy, const std::function<SurfaceLights()>& lights) {
-    team_.add(copy, [&] { return std::make_unique<GatherHelper>(copy, lights(), quality_.light_draws, chunk_surfels >> quality_.thrift); });
+    team_.add(
+        copy, [&] { return std::make_unique<GatherHelper>(copy, lights(), quality_.light_draws, chunk_surfels >> quality_.thrift); });
 }
 
 /// Helpers read the world set as it is now.

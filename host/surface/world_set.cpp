@@ -102,7 +102,7 @@ void WorldSet::fill(const Spacing& spacing) {
 /// Which pencils each of the points that are seen reads.
 PointLinks WorldSet::link_seen() {
     grid_ = DeviceGrid(kernels_.device(), pencils_on_host());
-    const SurfaceLinks found = link_surfels(kernels_, seen_surfels_, pencils_, grid_);
+    const SurfaceLinks found = link_surfels(kernels_, scene_, seen_surfels_, pencils_, grid_);
     return {found.pencils.read(), found.weights.read()};
 }
 
@@ -134,7 +134,7 @@ void WorldSet::gather(int map, std::uint64_t seed) {
     if (surfels_.capacity < texels) surfels_ = Surfels(kernels_, texels, "surfels of the world set");
     trace_hemispheres(kernels_, scene_, starts_, 0, starts_.count, points_, surfels_, 0, map);
     follow(0, static_cast<uint>(hash64(seed + 1) >> 32), surfels_);
-    links_ = link_surfels(kernels_, surfels_, pencils_, grid_);
+    links_ = link_surfels(kernels_, scene_, surfels_, pencils_, grid_);
 }
 
 /// Points from number `first` on, but for those to skip and what reflects nothing, with their spacings: close ones first, so that no wide

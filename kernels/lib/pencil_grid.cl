@@ -1,6 +1,5 @@
 // The surface pencils near a point, by the grid.
 
-#include "lib/apart.cl"
 #include "lib/packet.cl"
 #include "lib/surface_pencil.cl"
 #include "shared/surface_pencil.h"
@@ -67,45 +66,6 @@ static inline int pencil_slot(PencilGrid grid, float3 at, int level) {
     return PENCIL_GRID_SLOT(cell.x, cell.y, cell.z, level, grid.slots);
 }
 
-/// Pencil that stands for a point where none may be used, and the square of its distance.
-typedef struct StandIn {
-    int index;  // -1: none
-    float square;
-} StandIn;
-
-/// Pencil i, if it is nearer and likely to receive what x does: it faces the same way with nothing between.
-static inline void consider_pencil(global const SurfacePencil *pencils, int i, float3 x, float3 n, StandIn *found) {
-    global const SurfacePencil *p = pencils + i;
-    float3 step = x - p->position.xyz;
-    float square = dot(step, step);
-    if (!(square < found->square) || dot(p->normal.xyz, n) < REUSE_LEAST_COSINE || !clear_horizon(p, step)) return;
-    found->square = square;
-    found->index = i;
-}
-
-/// The pencil to stand for x, which none reaches, -1 if there is none: light that no pencil stands for would be lost, in every reflection. The
-/// nearest of those whose cells x lies in, or else of some that are spread among all: to look at all of them costs more than such light is worth.
-static inline int stand_in_pencil(global const SurfacePencil *pencils, PencilGrid grid, global const int *starts,
-                                  global const float *entries, float3 x, float3 n) {
-    StandIn found = {-1, INFINITY};
-    float3 at = (x - grid.origin.xyz) * grid.origin.w;
-    float diagonal = 1.7321f / grid.origin.w;
-    for (int level = 0; level < grid.levels; ++level, at /= PENCIL_GRID_STEP, diagonal *= PENCIL_GRID_STEP)
-        for (int slot = pencil_slot(grid, at, level), e = starts[slot] * PENCIL_WIDTH; e < starts[slot + 1] * PENCIL_WIDTH; ++e) {
-            global const float *entry = entries + (size_t)(e / PENCIL_WIDTH) * (ENTRY_FIELDS * PENCIL_WIDTH) + e % PENCIL_WIDTH;
-            float radius = entry[ENTRY_RADIUS * PENCIL_WIDTH];
-            if (!(radius > 0.0f)) continue;
-            int i = ((global const int *)entry)[ENTRY_PENCIL * PENCIL_WIDTH];
-            // Others only share the slot.
-            if (distance(x, pencils[i].position.xyz) <= radius + diagonal) consider_pencil(pencils, i, x, n, &found);
-        }
-    if (found.index >= 0) return found.index;
-    uint count = grid.count, stride = count % PENCIL_GRID_STRIDE == 0 ? 1 : PENCIL_GRID_STRIDE;
-    for (uint k = 0; k < count && (k < PENCIL_GRID_LOOK || found.index < 0); ++k)
-        consider_pencil(pencils, (int)((ulong)k * stride % count), x, n, &found);
-    return found.index;
-}
-
 /// The links of a point; index[0] is -1 where no pencil may be used.
 static inline PencilLinks reaching_pencils(global const SurfacePencil *pencils, PencilGrid grid, global const int *starts,
                                            global const float *entries, float3 x, float3 n) {
@@ -120,18 +80,6 @@ static inline PencilLinks reaching_pencils(global const SurfacePencil *pencils, 
     }
     float sum = links.weight[0] + links.weight[1] + links.weight[2] + links.weight[3];
     for (int k = 0; k < LINKS; ++k) links.weight[k] = sum > 0.0f ? links.weight[k] / sum : 0.0f;
-    return links;
-}
-
-/// The links of a point. Where none may be used, another stands in, if there is one: then index[1] is LINK_STANDS_IN.
-APART static PencilLinks nearest_pencils(global const SurfacePencil *pencils, PencilGrid grid, global const int *starts,
-                                         global const float *entries, float3 x, float3 n) {
-    PencilLinks links = reaching_pencils(pencils, grid, starts, entries, x, n);
-    if (links.index[0] >= 0) return links;
-    links.index[0] = stand_in_pencil(pencils, grid, starts, entries, x, n);
-    if (links.index[0] < 0) return links;
-    links.index[1] = LINK_STANDS_IN;
-    links.weight[0] = 1.0f;
     return links;
 }
 

@@ -17,7 +17,7 @@ void bench_link_surfels(benchmark::State& state) {
          bench.texels(),
          76.0 * bench.texels(),
          {"link surfels"}},
-        [&] { links = link_surfels(bench.kernels, surfels, bench.world.pencils(), bench.world.grid()); },
+        [&] { links = link_surfels(bench.kernels, bench.scene, surfels, bench.world.pencils(), bench.world.grid()); },
         [&] { native::link_surfels(bench.surfels(), bench.pencils.data(), bench.grid_view(), pencils.data(), weights.data()); },
         [&] {
             std::vector<float> sums[2];

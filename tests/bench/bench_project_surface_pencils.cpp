@@ -19,7 +19,8 @@ void bench_project_surface_pencils(benchmark::State& state) {
          64.0 * bench.texels(),
          {"project surface pencils"}},
         [&] {
-            project_surface_pencils(bench.kernels, surfels, world, world.irradiance, bench.world.grid(), {world, 0}, 0, outgoing, contact);
+            project_surface_pencils(bench.kernels, bench.scene, surfels, world, world.irradiance, bench.world.grid(), {world, 0}, 0,
+                                    outgoing, contact);
         },
         [&] {
             native::project_surface_pencils(bench.surfels(), bench.pencils.data(), bench.irradiance.data(), bench.grid_view(),

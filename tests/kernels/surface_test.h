@@ -127,6 +127,13 @@ inline SurfacePencils on_device(const std::vector<SurfacePencil>& pencils, int n
     return set;
 }
 
+/// A scene in which nothing is in the way.
+inline const DeviceScene& far_scene() {
+    static const std::vector<Triangle> triangle = make_scene({{{90, 90, 90}, {91, 90, 90}, {90, 91, 90}, 0}}, 1, 1).flat.triangles;
+    static const DeviceScene scene(device(), make_scene({{{90, 90, 90}, {91, 90, 90}, {90, 91, 90}, 0}}, 1, 1).flat, build_bvh(triangle));
+    return scene;
+}
+
 inline std::vector<float4> random_irradiance(Random& random, std::size_t count) {
     std::vector<float4> out;
     for (std::size_t i = 0; i < count; ++i) out.push_back(to_float4(random.in_box(0.1, 4.0)));

@@ -32,7 +32,8 @@ struct HostLinks {
 
 HostLinks link(const Floor& f) {
     Kernels kernels = make_kernels();
-    const SurfaceLinks links = link_surfels(kernels, f.surfels.on_device(), on_device(f.pencils), DeviceGrid(device(), f.pencils));
+    const SurfaceLinks links =
+        link_surfels(kernels, far_scene(), f.surfels.on_device(), on_device(f.pencils), DeviceGrid(device(), f.pencils));
     return {links.pencils.read(), links.weights.read()};
 }
 
@@ -123,6 +124,32 @@ TEST(LinkSurfels, PermutingPencilsChangesNothing) {
             EXPECT_EQ(p < 0 ? p : order[static_cast<std::size_t>(p)], straight.pencils[i][k]) << "surfel " << i << ", link " << k;
             EXPECT_EQ(permuted.weights[i][k], straight.weights[i][k]) << "surfel " << i << ", link " << k;
         }
+}
+
+/// Pencils inside and outside a closed box that face the same way, a point inside that none reaches.
+TEST(LinkSurfels, NothingStandsInFromBehindAWall) {
+    const TestScene box = make_scene(box_triangles(0.4), 1, 1);
+    const DeviceScene scene(device(), box.flat, build_bvh(box.flat.triangles));
+    Kernels kernels = make_kernels();
+    MadeSurfels surfels(1);
+    surfels.place(0, {-0.4, 0.05, 0.1}, {1, 0, 0}, 0, dvec3(0.5));
+    const auto pencil_at = [](const dvec3& x, const dvec3& n, int plane) {
+        SurfacePencil p{};
+        p.position = to_float4(x, 1);
+        p.normal = to_float4(n, 0.01);
+        p.facing = p.normal;
+        p.plane = plane;
+        return p;
+    };
+    // Behind the wall opposite, beside the box, on a wall further away and on the outside of its own wall, whose plane no ray meets.
+    std::vector<SurfacePencil> pencils{pencil_at({0.4, 0.05, 0.1}, {1, 0, 0}, 1), pencil_at({-0.4, 0.05, 0.6}, {1, 0, 0}, -1),
+                                       pencil_at({-0.7, 0, 0}, {1, 0, 0}, -1), pencil_at({-0.4, 0.06, 0.1}, {-1, 0, 0}, 0)};
+    const auto linked = [&] {
+        return link_surfels(kernels, scene, surfels.on_device(), on_device(pencils), DeviceGrid(device(), pencils)).pencils.read().front();
+    };
+    EXPECT_EQ(linked(), glm::ivec4(-1));
+    pencils.push_back(pencil_at({-0.4, -0.3, -0.3}, {1, 0, 0}, 0));  // further away than most, but inside
+    EXPECT_EQ(linked(), glm::ivec4(4, LINK_STANDS_IN, -1, -1));
 }
 
 }  // namespace

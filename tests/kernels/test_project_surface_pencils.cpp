@@ -26,7 +26,7 @@ ProjectedPencils project(const std::vector<SurfacePencil>& pencils, const std::v
     seeing.n = 4;
     Buffer<float> outgoing = filled_rgb(surfels.capacity, start_light);
     Buffer<unsigned char> contact(device(), std::vector<unsigned char>(static_cast<std::size_t>(surfels.capacity), 7), "contacts");
-    project_surface_pencils(kernels, surfels.on_device(), set, Buffer<float4>(device(), irradiance, "irradiance"),
+    project_surface_pencils(kernels, far_scene(), surfels.on_device(), set, Buffer<float4>(device(), irradiance, "irradiance"),
                             DeviceGrid(device(), pencils), {seeing, first_viewer}, nearness, outgoing, contact);
     return {outgoing.read(), contact.read()};
 }

@@ -52,6 +52,30 @@ TEST(Darkness, NoLightThroughASheet) {
     }
 }
 
+/// The film shows a lit room and, where it cuts a closed box, the inside of that: no pencil in the room may stand for what lies in the box.
+TEST(Darkness, NoLightInAClosedBoxThatTheFilmCuts) {
+    Scene scene;
+    add_box(scene, {0, 0, 0}, {1, 1, 1}, {glm::vec3(0.7F), glm::vec3(0.0F), false});
+    add_box(scene, {0.55, 0.55, 0.3}, {0.65, 0.65, 0.7}, {glm::vec3(0.7F), glm::vec3(0.0F), true}, false);
+    add_quad(scene, "lamp", {0.4, 0.99, 0.4}, {0.2, 0, 0}, {0, 0, 0.2}, {glm::vec3(0.0F), glm::vec3(5.0F), false});
+    look_at(scene, {0.5, 0.5, 0.5}, {0.5, 0.5, 1}, {0, 1, 0}, 90.0, 40, 40);
+    scene.sensor.orthographic = true;
+    for (int column = 0; column < 3; ++column) scene.sensor.to_world[column] *= 0.5;
+    RenderOptions o;
+    o.target_error = 0.05;
+    o.pencils = 2;  // so few that none need lie in the box
+    const Layer image = layer(render_layers(scene, o), "");
+    double inside = 0, all = 0;
+    for (std::size_t i = 0; i < pixel_count(image); ++i) {
+        const std::size_t x = i % 40, y = i / 40;
+        all += pixel(image, i).x;
+        if (x > 14 && x < 17 && y > 14 && y < 17) inside += pixel(image, i).x;
+    }
+    std::printf("light in a closed box, relative to all: %.2e\n", inside / all);
+    EXPECT_GT(all, 0);
+    EXPECT_LT(inside / all, 2e-4) << "3.8e-4 where pencils behind walls stand in; 0 with as many pencils as usual";
+}
+
 TEST(Darkness, NoLightThroughAWall) {
     for (const double thickness : {0.1, 0.004}) {
         SCOPED_TRACE(thickness);
