@@ -19,7 +19,8 @@ kernel void link_surfels(global const float *surfels, int capacity, int surfel_c
     int plane = SURFEL_CONST_INT(s, SURFEL_PLANE * c);
     if (plane >= 0 && reflects)
         found = nearest_pencils(pencils, grid, starts, entries, (float3)(s[SURFEL_X * c], s[SURFEL_Y * c], s[SURFEL_Z * c]),
-                                (float3)(s[SURFEL_NX * c], s[SURFEL_NY * c], s[SURFEL_NZ * c]), plane, nodes, leaves, triangles, planes);
+                                (float3)(s[SURFEL_NX * c], s[SURFEL_NY * c], s[SURFEL_NZ * c]),
+                                (float3)(s[SURFEL_GX * c], s[SURFEL_GY * c], s[SURFEL_GZ * c]), plane, nodes, leaves, triangles, planes);
     links[i] = vload4(0, found.index);
     factors[i] = vload4(0, found.weight);
 }

@@ -41,7 +41,8 @@ kernel void project_surface_pencils(global const float *surfels, int capacity, i
             return;
         }
     } else {
-        links = nearest_pencils(pencils, grid, starts, entries, x, n, plane, nodes, leaves, triangles, planes);
+        links = nearest_pencils(pencils, grid, starts, entries, x, n, (float3)(s[SURFEL_GX * c], s[SURFEL_GY * c], s[SURFEL_GZ * c]), plane,
+                                nodes, leaves, triangles, planes);
     }
     float3 radiance = brdf_reflect(albedo, linked_irradiance(irradiance, links));
     outgoing[i] += radiance.x;

@@ -19,6 +19,12 @@ fetch_intel() {
     python3 -m venv "$folder/intel" && "$folder/intel/bin/pip" --quiet install intel-opencl-rt intel-cmplr-lib-rt
 }
 
+# What is mounted must not be there when somebody removes the folder.
+unmount() {
+    for library in proc sys dev; do umount --recursive --lazy "$folder/trixie/$library" 2>/dev/null || true; done
+}
+trap unmount EXIT
+
 # The program and the libraries of its own that Debian 13 lacks.
 fetch_debian_13() {
     local root=$folder/trixie library
@@ -28,7 +34,8 @@ fetch_debian_13() {
     fi
     # Drivers count processors there.
     for library in proc sys dev; do
-        mountpoint --quiet "$root/$library" || mount --rbind "/$library" "$root/$library" || return 1
+        mountpoint --quiet "$root/$library" && continue
+        mount --rbind "/$library" "$root/$library" && mount --make-rslave "$root/$library" || return 1
     done
     mkdir -p "$root/pencil/lib" "$root/pencil/scenes"
     cp "$program" "$root/pencil/"

@@ -2,7 +2,7 @@
 """portability_table.py FOLDER: runs the runtimes of FOLDER/runtimes (scripts/portability.sh) and prints a table in Markdown.
 
 Each runtime: self-test; small renders by surface pencils and lines with the same seed, whose relMSE to the first runtime's is stated; seconds
-of building kernels with an empty and with a filled cache, kernel time relative to the first. Ends with 1 if one fails or differs by more than 1e-5.
+of building kernels with an empty and with a filled cache, kernel time relative to the first. Ends with 1 if one fails or differs by more than 1e-5, with lobes 1e-4. oclgrind has the self-test alone.
 """
 import json
 import os
@@ -73,6 +73,9 @@ def measure(runtime, references):
     cells, built, kernels = ["passed" if well else "FAILED"], 0, 0
     cold = 0
     for kind in RENDERS:
+        if "oclgrind" in runtime.name:  # minutes for a pixel
+            cells.append("")
+            continue
         first = runtime.render(kind)
         if isinstance(first, str):
             cells.append("FAILED: " + first)
@@ -102,7 +105,7 @@ def main():
     for runtime in runtimes:
         try:
             cells, cold, built, kernels, well = measure(runtime, references)
-        except (subprocess.TimeoutExpired, OSError) as error:
+        except (subprocess.SubprocessError, StopIteration, OSError) as error:
             print(f"| {runtime.name} | {error} |")
             fine = False
             continue

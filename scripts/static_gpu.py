@@ -29,6 +29,8 @@ STACK_OF = {
     "guide_hemispheres": (832, "the spots of a pencil beside the stack of the hierarchy"),
     "share_hemispheres": (832, "the spots of a pencil and their rings"),
     "light_surfels": (320, "the stack of the hierarchy, surfel and sample"),
+    "link_surfels": (1280, "rays of the eight pencils that may stand in"),
+    "project_surface_pencils": (1280, "rays of the eight pencils that may stand in"),
     "test_visibility": (320, "the stack of the hierarchy, surfel and map"),
 }
 CLC = "/usr/lib/clc"
@@ -184,7 +186,8 @@ def main():
     clang = find_clang()
     chosen = [targets()[name] for name in given.targets.split(",")]
     have = run([clang, "--print-targets"]).stdout if clang else ""
-    missing = [t.name for t in chosen if not os.path.exists(t.clc) or t.triple.split("-")[0] not in have]
+    linker = shutil.which("ld.lld-19") or shutil.which("ld.lld")
+    missing = [t.name for t in chosen if not os.path.exists(t.clc) or t.triple.split("-")[0] not in have or (t.is_amd() and not linker)]
     if not clang or missing:
         print(f"skipped: no clang with targets and libclc for {' '.join(missing) or given.targets} (Debian: clang-19 libclc-19-dev lld-19)")
         return SKIPPED

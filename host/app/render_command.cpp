@@ -48,22 +48,19 @@ RenderResult render_with_progress(const Scene& scene, const RenderCommand& comma
         return interrupted_by() == 0;
     };
     RenderCare care{command.checkpoint, command.resume, helpers, {}};
-    // A device that was asked for by name is not replaced by another.
     std::set<int> failed;
-    if (command.device.empty())
-        care.next_device = [&](const Device& one) {
-            failed.insert(one.info().index);
-            std::shared_ptr<Device> next = Device::open_another(failed);
-            if (next) device = next;
-            return next;
-        };
-    else  // but by those that were named with it
-        care.next_device = [&](const Device&) -> std::shared_ptr<Device> {
-            if (care.helpers.empty()) return nullptr;
-            device = care.helpers.front();
+    care.next_device = [&](const Device& one) {
+        failed.insert(one.info().index);
+        std::shared_ptr<Device> next;
+        if (!care.helpers.empty()) {
+            next = care.helpers.front();
             care.helpers.erase(care.helpers.begin());
-            return device;
-        };
+        } else if (command.device.empty()) {  // a device that was asked for by name is not replaced by another
+            next = Device::open_another(failed);
+        }
+        if (next) device = next;
+        return next;
+    };
     const std::shared_ptr<Device> first = device;
     return render(scene, report.options, first, progress, care);
 }
@@ -111,7 +108,10 @@ ExitCode run_render(const RenderCommand& command) {
     std::vector<std::shared_ptr<Device>> devices = timed(report, "open device", [&] { return Device::open_several(command.device); });
     std::shared_ptr<Device> device = devices.front();
     devices.erase(devices.begin());
-    if (!devices.empty() && report.options.method == MethodName::line) throw UsageError("--method line works on one device");
+    if (report.options.method == MethodName::line) {
+        if (!devices.empty() && !command.device.empty()) throw UsageError("--method line works on one device");
+        devices.clear();
+    }
     report.device = device->info();
     report.packet_width = device->packet_width();
 

@@ -38,7 +38,8 @@ std::shared_ptr<Device> Device::open(const std::string& selector) {
     std::vector<DeviceInfo> infos;
     infos.reserve(found.size());
     for (const FoundDevice& device : found) infos.push_back(device.info);
-    return open_found(found[select_device(infos, selector.empty() ? environment("PENCIL_DEVICE") : selector)]);
+    const std::string usual = environment("PENCIL_DEVICE");  // the first, if there are several
+    return open_found(found[select_device(infos, selector.empty() ? usual.substr(0, usual.find(',')) : selector)]);
 }
 
 std::vector<std::shared_ptr<Device>> Device::open_several(const std::string& selectors) {

@@ -2,12 +2,11 @@
 // no binary, and the program is built from its text.
 #include "cl/program_binaries.h"
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 
 #include "util/archive.h"
@@ -27,25 +26,49 @@ bool keeps_its_own(const DeviceInfo& device) {
     return device.platform == "Portable Computing Language" || device.platform == "NVIDIA CUDA";
 }
 
-// Code is loaded from it: it must be ours alone.
-fs::path private_folder() {
-    const std::string xdg = environment("XDG_CACHE_HOME"), home = environment("HOME");
-    if (xdg.empty() && home.empty()) return {};
-    const fs::path folder = (xdg.empty() ? fs::path(home) / ".cache" : fs::path(xdg)) / "pencil" / "programs";
-    std::error_code error;
-    fs::create_directories(folder.parent_path(), error);
-    mkdir(folder.c_str(), 0700);
+bool is_ours(const struct stat& status) { return status.st_uid == geteuid() && (status.st_mode & 022) == 0; }
+
+bool is_our_folder(const fs::path& folder) {
     struct stat status {};
-    const bool ours =
-        lstat(folder.c_str(), &status) == 0 && S_ISDIR(status.st_mode) && status.st_uid == geteuid() && (status.st_mode & 022) == 0;
-    return ours ? folder : fs::path();
+    return lstat(folder.c_str(), &status) == 0 && S_ISDIR(status.st_mode) && is_ours(status);
+}
+
+// Code is loaded from it: it must be ours alone, and so must the folder that holds it.
+fs::path private_folder() {
+    fs::path cache = environment("XDG_CACHE_HOME");
+    const std::string home = environment("HOME");
+    if (!cache.is_absolute()) cache = home.empty() ? fs::path() : fs::path(home) / ".cache";
+    if (!cache.is_absolute()) return {};
+    std::error_code error;
+    fs::create_directories(cache, error);
+    const fs::path parent = cache / "pencil", folder = parent / "programs";
+    mkdir(parent.c_str(), 0700);
+    mkdir(folder.c_str(), 0700);
+    return is_our_folder(parent) && is_our_folder(folder) ? folder : fs::path();
+}
+
+/// Of a file that is ours alone, else nothing.
+std::vector<char> read_ours(const fs::path& path) {
+    const int file = open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
+    if (file < 0) return {};
+    struct stat status {};
+    std::vector<char> bytes;
+    if (fstat(file, &status) == 0 && S_ISREG(status.st_mode) && is_ours(status)) {
+        bytes.resize(static_cast<std::size_t>(status.st_size));
+        std::size_t got = 0;
+        for (ssize_t more = 1; more > 0 && got < bytes.size(); got += static_cast<std::size_t>(std::max<ssize_t>(more, 0)))
+            more = read(file, bytes.data() + got, bytes.size() - got);
+        bytes.resize(got);
+    }
+    close(file);
+    return bytes;
 }
 
 void remove_oldest(const fs::path& folder) {
     std::error_code error;
     std::vector<std::pair<fs::file_time_type, fs::path>> files;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
-        files.emplace_back(entry.last_write_time(error), entry.path());
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+        files.emplace_back(entry->last_write_time(error), entry->path());
     std::sort(files.begin(), files.end());
     for (std::size_t i = 0; i + files_kept < files.size(); ++i) fs::remove(files[i].second, error);
 }
@@ -67,8 +90,7 @@ ProgramBinaries::Binary ProgramBinaries::find(const std::string& options, const 
     if (!is_on()) return {};
     const std::string wanted = identity(options, source);
     const fs::path path = file(wanted);
-    std::ifstream in(path, std::ios::binary);
-    std::vector<char> bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    std::vector<char> bytes = read_ours(path);
     if (bytes.size() < hash_digits) return {};
     const std::string hash(bytes.end() - hash_digits, bytes.end());
     bytes.resize(bytes.size() - hash_digits);

@@ -51,6 +51,10 @@ public:
     ProgramCache& cache() { return cache_; }
     /// Called before every launch; may throw to stop the work (StageClock::poll).
     void before_launch(std::function<void()> call) { before_launch_ = std::move(call); }
+    /// That call, where something else than a launch is waited for.
+    void poll() const {
+        if (before_launch_) before_launch_();
+    }
     /// Packets per work-item (PENCIL_BLOCK): enough on CPUs to reuse what the caches hold, one where work-items are narrow.
     int block() const { return device()->packet_width() > 1 ? 8 : 1; }
     std::size_t blocks(int surfels) const {

@@ -42,7 +42,7 @@ public:
     bool stopped() const { return stopped_; }
 
     void set_fraction(double fraction) { fraction_ = fraction; }
-    /// Since the start, but for building kernels: that is the driver's time, and none once its cache is warm.
+    /// Since the start, but for building kernels on the first device: that is the driver's time, and none once its cache is warm.
     double seconds() const { return earlier_ + watch_.seconds() - (device_->build_seconds() - built_before_); }
     /// The render began so many seconds earlier.
     void go_on_after(double seconds) { earlier_ = seconds; }

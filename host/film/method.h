@@ -35,6 +35,8 @@ public:
     virtual std::vector<Layer> snapshot() const = 0;
     /// The same, at the end: nothing may follow.
     virtual std::vector<Layer> take() { return snapshot(); }
+    /// Gives back what only a next step would need: there is none.
+    virtual void let_go() {}
     /// Estimated relMSE of the beauty; infinite if not known.
     virtual double estimated_error() const { return std::numeric_limits<double>::infinity(); }
     /// What a check by light paths says of it; nothing if there was none.

@@ -24,16 +24,16 @@ Prepared preparation(const FlatScene& flat, const MethodNeeds& needs, const Devi
     return prepared;
 }
 
-DeviceScene prepare_scene(RenderContext& context, const std::vector<std::shared_ptr<Device>>& helpers) {
+DeviceScene prepare_scene(RenderContext& context, const std::vector<std::shared_ptr<Device>>& helping) {
     Bvh bvh;
     Clusters clusters;
     if (context.prepared.bvh) context.clock.run("hierarchy", [&] { bvh = build_bvh(context.flat.triangles); });
     if (context.prepared.clusters) context.clock.run("clusters", [&] { clusters = cluster_triangles(context.flat.triangles); });
-    for (const std::shared_ptr<Device>& helper : helpers) try {
+    for (const std::shared_ptr<Device>& helper : helping) try {
             context.copies.push_back(std::make_unique<DeviceCopy>(
                 DeviceCopy{Kernels(helper, context.kernels.features()), DeviceScene(helper, context.flat, bvh, clusters), {}}));
-        } catch (const Error& error) {
-            context.stats.warnings.push_back(helper->info().name + " does not help: " + error.what());
+        } catch (const std::exception& error) {
+            context.helpers.notes.push_back(helper->info().name + " does not help: " + error.what());
         }
     return DeviceScene(context.kernels.device(), context.flat, bvh, clusters);
 }
@@ -42,7 +42,7 @@ DeviceScene prepare_scene(RenderContext& context, const std::vector<std::shared_
 
 RenderContext::RenderContext(const Scene& scene_to_render, const RenderOptions& render_options, NeedsOf needs_of,
                              const std::shared_ptr<Device>& device, const Progress& progress,
-                             const std::vector<std::shared_ptr<Device>>& helpers)
+                             const std::vector<std::shared_ptr<Device>>& helping)
     : scene(scene_to_render),
       options(render_options),
       clock(device, progress),
@@ -51,7 +51,7 @@ RenderContext::RenderContext(const Scene& scene_to_render, const RenderOptions& 
       needs(needs_of(scene, forms, options)),
       kernels(device, complete_features(flat, options, needs)),
       prepared(preparation(flat, needs, *device)),
-      device_scene(prepare_scene(*this, helpers)) {
+      device_scene(prepare_scene(*this, helping)) {
     maps_emit = flat.sky.width > 0 || kernels.features().lobes;
     for (std::size_t i = 0; i < forms.size(); ++i) maps_emit = maps_emit || (scene.shapes[i].emits && forms[i] == LightForm::maps);
     for (std::string& sentence : approximations(scene, needs)) stats.warnings.push_back("approximated: " + std::move(sentence));

@@ -21,9 +21,9 @@ using NeedsOf = MethodNeeds (*)(const Scene& scene, const std::vector<LightForm>
 
 struct RenderContext {
     /// `options`: complete, nothing left to the scene or the method. `scene` must outlive the context.
-    /// `helpers`: devices that share the work of the first; those that the scene does not fit are left out with a warning.
+    /// `helping`: devices that share the work of the first; those that the scene does not fit are left out with a warning.
     RenderContext(const Scene& scene, const RenderOptions& options, NeedsOf needs_of, const std::shared_ptr<Device>& device,
-                  const Progress& progress, const std::vector<std::shared_ptr<Device>>& helpers = {});
+                  const Progress& progress, const std::vector<std::shared_ptr<Device>>& helping = {});
     RenderContext(const RenderContext&) = delete;
     RenderContext& operator=(const RenderContext&) = delete;
 
@@ -32,16 +32,17 @@ struct RenderContext {
 
     const Scene& scene;
     const RenderOptions options;
-    RenderStats stats;  // as far as methods fill them; the session adds the rest
     StageClock clock;
     std::vector<LightForm> forms;
     FlatScene flat;
     MethodNeeds needs;
     Kernels kernels;
     Prepared prepared;
+    HelperReport helpers;
     std::vector<std::unique_ptr<DeviceCopy>> copies;  // of devices that help
     DeviceScene device_scene;
     bool maps_emit = false;                // some emitter is carried by the maps
+    RenderStats stats;                     // as far as methods fill them; the session adds the rest
     std::vector<LightReceiver> receivers;  // some of what the first film shows, where light samples depend on it
 };
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "render/checkpoint.h"
 #include "render/photometric_layers.h"
 #include "render/render_session.h"
@@ -49,7 +51,9 @@ public:
 private:
     /// A session on the device, which goes on from what there is.
     void begin() {
-        session_ = std::make_unique<RenderSession>(scene_, options_, device_, progress_, care_.helpers);
+        std::vector<std::shared_ptr<Device>> helpers = care_.helpers;
+        helpers.erase(std::remove(helpers.begin(), helpers.end(), device_), helpers.end());  // one that has taken over helps nobody
+        session_ = std::make_unique<RenderSession>(scene_, options_, device_, progress_, helpers);
         if (!care_.checkpoint.empty() || !care_.resume.empty()) identity_ = render_identity(scene_, session_->options(), *device_);
         if (!state_.empty()) return session_->resume(state_);
         if (care_.resume.empty()) return;
@@ -78,6 +82,7 @@ private:
     bool move_on(const DeviceError& error) {
         if (session_ && session_->has_step()) {
             if (session_->resumable()) state_ = session_->save();
+            session_->let_go();
             failed_ = std::move(session_);
         }
         session_ = nullptr;

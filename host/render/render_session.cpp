@@ -127,6 +127,9 @@ RenderStats RenderSession::stats() const {
     RenderStats stats = context_->stats;
     for (BounceReport& bounce : stats.bounces) bounce.mean *= context_->flat.normalisation.light;
     if (!stats.stopped.empty()) stats.warnings.push_back(stats.stopped);
+    const HelperReport& helpers = context_->helpers;
+    stats.warnings.insert(stats.warnings.end(), helpers.notes.begin(), helpers.notes.end());
+    stats.device_pencils = helpers.pencils;
     stats.explain = explain(*context_);
     const std::vector<std::string> own = method_->explain();
     stats.explain.insert(stats.explain.end(), own.begin(), own.end());
@@ -136,6 +139,12 @@ RenderStats RenderSession::stats() const {
     stats.device_peak_bytes = context_->kernels.device()->peak_allocated();
     stats.triangles = context_->flat.triangles.size();
     return stats;
+}
+
+void RenderSession::let_go() {
+    ended_ = true;
+    method_->let_go();
+    context_->copies.clear();
 }
 
 RenderResult RenderSession::finish() {

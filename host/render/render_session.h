@@ -50,6 +50,9 @@ public:
     /// error. ArchiveError if it is nothing that save() gave; the session is of no use then.
     void resume(std::vector<char> state);
 
+    /// Gives back what the next step would need on the devices: the session ends here, with what is finished.
+    void let_go();
+
     /// Layers and stats; the session ends here.
     RenderResult finish();
 

@@ -3,18 +3,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <mutex>
 #include <optional>
+#include <system_error>
 #include <thread>
 
-#include "util/error.h"
+#include "util/stopwatch.h"
 
 namespace pencil {
 
 namespace {
 
-/// Parts that each device takes of a set, about, and pencils of one at least: small ones keep all busy to the end, large ones cost fewer launches.
-constexpr int parts_each = 4, least_part = 64;
+/// Pencils that a device takes at once before its speed is known, and at least.
+constexpr int least_part = 64;
+/// Of what is left of a set each device takes this share of what it would do of it: all end at about the same time.
+constexpr double part_share = 0.5;
 
 struct Part {
     int first, count;
@@ -23,9 +28,10 @@ struct Part {
 /// The parts of a set that nobody has taken yet. Thread-safe.
 class Parts {
 public:
-    Parts(int first, int count, int size) : next_(first), end_(first + count), size_(size) {}
+    /// Of `count` pencils, for so many devices.
+    Parts(int count, std::size_t devices) : end_(count), speeds_(devices, 0.0) {}
 
-    std::optional<Part> take() {
+    std::optional<Part> take(std::size_t device) {
         const std::lock_guard<std::mutex> lock(mutex_);
         if (!returned_.empty()) {
             const Part part = returned_.back();
@@ -33,9 +39,14 @@ public:
             return part;
         }
         if (next_ >= end_) return {};
-        const Part part{next_, std::min(size_, end_ - next_)};
+        const Part part{next_, std::min(size_for(device), end_ - next_)};
         next_ += part.count;
         return part;
+    }
+    /// The device has done so many pencils in so many seconds.
+    void done(std::size_t device, int count, double seconds) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        speeds_[device] = count / std::max(seconds, 1e-9);
     }
     void give_back(const Part& part) {
         const std::lock_guard<std::mutex> lock(mutex_);
@@ -48,8 +59,17 @@ public:
     }
 
 private:
+    /// Devices whose speed is not known count as this one.
+    int size_for(std::size_t device) const {
+        const double own = speeds_[device];
+        double all = 0;
+        for (const double speed : speeds_) all += speed > 0 ? speed : own;
+        return own > 0 ? std::max(static_cast<int>(part_share * own / all * (end_ - next_)), least_part) : least_part;
+    }
+
     std::mutex mutex_;
-    int next_, end_, size_;
+    int next_ = 0, end_;
+    std::vector<double> speeds_;  // [pencils / s], 0: not known
     std::vector<Part> returned_;
 };
 
@@ -59,20 +79,21 @@ public:
     explicit Crew(Parts& parts) : parts_(parts) {}
     ~Crew() {
         parts_.close();
-        join();
+        for (std::thread& thread : threads_) thread.join();
     }
     template <typename Work>
     void start(Work work) {
-        threads_.emplace_back(std::move(work));
+        threads_.emplace_back([this, work = std::move(work)]() mutable {
+            work();
+            ++ended_;
+        });
     }
-    void join() {
-        for (std::thread& thread : threads_) thread.join();
-        threads_.clear();
-    }
+    bool has_ended() const { return ended_ == threads_.size(); }
 
 private:
     Parts& parts_;
     std::vector<std::thread> threads_;
+    std::atomic<std::size_t> ended_{0};
 };
 
 std::string name_of(const Kernels& kernels) {
@@ -121,20 +142,20 @@ void GatherHelper::gather(const GatherTurn& turn, int n, int first, int count, s
 void GatherTeam::add(DeviceCopy& copy, const std::function<std::unique_ptr<GatherHelper>()>& make) {
     try {
         helpers_.push_back(make());
-    } catch (const Error& error) {
+    } catch (const std::exception& error) {
         copy.failure = error.what();
-        report(copy);
+        dismiss(copy);
     }
 }
 
-void GatherTeam::report(const DeviceCopy& copy) {
-    stats_.warnings.push_back(fmt::format("device {} helps no more: {}", name_of(copy.kernels), copy.failure));
+void GatherTeam::dismiss(const DeviceCopy& copy) {
+    report_.notes.push_back(fmt::format("device {} helps no more: {}", name_of(copy.kernels), copy.failure));
 }
 
 void GatherTeam::take_world(const HostWorld& world) {
     for (const auto& helper : helpers_) try {
             helper->take_world(world);
-        } catch (const Error& error) {
+        } catch (const std::exception& error) {
             helper->copy().failure = error.what();
         }
     dismiss_failed();
@@ -142,45 +163,67 @@ void GatherTeam::take_world(const HostWorld& world) {
 
 void GatherTeam::dismiss_failed() {
     for (const auto& helper : helpers_)
-        if (!helper->copy().failure.empty()) report(helper->copy());
+        if (!helper->copy().failure.empty()) dismiss(helper->copy());
     helpers_.erase(std::remove_if(helpers_.begin(), helpers_.end(), [](const auto& helper) { return !helper->copy().failure.empty(); }),
                    helpers_.end());
 }
 
 void GatherTeam::gather(Gatherer& own, const GatherSource& source, const GatherTurn& turn, SurfacePencils& pencils, int first, int count) {
+    if (alone() && !report_.pencils.empty()) report_.pencils[name_of(kernels_)] += static_cast<std::uint64_t>(count);
     if (alone() || count == 0) return own.gather(source, turn, pencils, first, count);
     const auto from = static_cast<std::size_t>(first), number = static_cast<std::size_t>(count);
     std::vector<SurfacePencil> data = pencils.data.read(from, number);
     std::vector<float4> irradiance(number);
-    Parts parts(0, count, std::max(count / (parts_each * (static_cast<int>(helpers_.size()) + 1)), least_part));
+    const std::size_t me = helpers_.size();
+    Parts parts(count, helpers_.size() + 1);
     std::vector<Done> done(helpers_.size());
-    Crew crew(parts);
-    for (std::size_t k = 0; k < helpers_.size(); ++k)
-        // Each has its first part before anybody begins: none goes without because another was faster to start.
-        crew.start([&, k, part = parts.take()]() mutable {
-            for (; part; part = parts.take()) try {
-                    helpers_[k]->gather(turn, pencils.n, part->first, part->count, data, irradiance);
-                    done[k].parts.push_back(*part);
-                    done[k].pencils += static_cast<std::uint64_t>(part->count);
-                } catch (const std::exception& error) {
-                    parts.give_back(*part);
-                    helpers_[k]->copy().failure = error.what();
-                    return;
-                }
-        });
+    // However this ends, it is said which have failed.
+    struct AtEnd {
+        GatherTeam& team;
+        ~AtEnd() { team.dismiss_failed(); }
+    } at_end{*this};
+    const auto help = [&](std::size_t k, std::optional<Part> part) {
+        for (; part; part = parts.take(k)) try {
+                const Stopwatch watch;
+                helpers_[k]->gather(turn, pencils.n, part->first, part->count, data, irradiance);
+                parts.done(k, part->count, watch.seconds());
+                done[k].parts.push_back(*part);
+                done[k].pencils += static_cast<std::uint64_t>(part->count);
+            } catch (const std::exception& error) {
+                parts.give_back(*part);
+                helpers_[k]->copy().failure = error.what();
+                return;
+            }
+    };
     std::uint64_t by_own = 0;
     const auto work = [&] {
-        while (const std::optional<Part> part = parts.take()) {
+        while (const std::optional<Part> part = parts.take(me)) {
+            const Stopwatch watch;
             own.gather(source, turn, pencils, first + part->first, part->count);
+            parts.done(me, part->count, watch.seconds());
             by_own += static_cast<std::uint64_t>(part->count);
         }
     };
-    work();
-    crew.join();
-    work();  // what a helper that failed has left
-    stats_.device_pencils[name_of(kernels_)] += by_own;
+    Crew crew(parts);
     for (std::size_t k = 0; k < helpers_.size(); ++k) {
-        stats_.device_pencils[name_of(helpers_[k]->copy().kernels)] += done[k].pencils;
+        // Each has its first part before anybody begins: none goes without because another was faster to start.
+        const std::optional<Part> part = parts.take(k);
+        try {
+            crew.start([&help, k, part] { help(k, part); });
+        } catch (const std::system_error& error) {
+            if (part) parts.give_back(*part);
+            helpers_[k]->copy().failure = error.what();
+        }
+    }
+    work();
+    while (!crew.has_ended()) {
+        kernels_.poll();
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    work();  // what a helper that failed has left
+    report_.pencils[name_of(kernels_)] += by_own;
+    for (std::size_t k = 0; k < helpers_.size(); ++k) {
+        report_.pencils[name_of(helpers_[k]->copy().kernels)] += done[k].pencils;
         for (const Part& part : done[k].parts) {
             const auto begin = static_cast<std::ptrdiff_t>(part.first), end = begin + part.count;
             pencils.data.write(std::vector<SurfacePencil>(data.begin() + begin, data.begin() + end),
@@ -189,7 +232,6 @@ void GatherTeam::gather(Gatherer& own, const GatherSource& source, const GatherT
                                      from + static_cast<std::size_t>(begin));
         }
     }
-    dismiss_failed();
 }
 
 }  // namespace pencil

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "film/device_copy.h"
-#include "options/render_result.h"
 #include "surface/gatherer.h"
 
 namespace pencil {
@@ -45,8 +44,7 @@ private:
 
 class GatherTeam {
 public:
-    /// `stats`: says what each device did, and which failed.
-    GatherTeam(Kernels& kernels, RenderStats& stats) : kernels_(kernels), stats_(stats) {}
+    GatherTeam(Kernels& kernels, HelperReport& report) : kernels_(kernels), report_(report) {}
 
     /// A helper that cannot be made is done without.
     void add(DeviceCopy& copy, const std::function<std::unique_ptr<GatherHelper>()>& make);
@@ -57,11 +55,11 @@ public:
     void gather(Gatherer& own, const GatherSource& source, const GatherTurn& turn, SurfacePencils& pencils, int first, int count);
 
 private:
-    void report(const DeviceCopy& copy);
+    void dismiss(const DeviceCopy& copy);
     void dismiss_failed();
 
     Kernels& kernels_;
-    RenderStats& stats_;
+    HelperReport& report_;
     std::vector<std::unique_ptr<GatherHelper>> helpers_;
 };
 

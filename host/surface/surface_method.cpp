@@ -159,7 +159,7 @@ void SurfaceMethod::place_world(const SurfacePass& pass, const FilmPixels& pixel
     SurfaceLights lights = surface_lights(context_, context_.kernels.device(), pass, frame_->light_samples(), seed);
     solver_ = nullptr;  // its memory first
     solver_ = std::make_unique<SurfaceSolver>(context_.kernels, context_.device_scene, std::move(lights), pass.world, context_.clock,
-                                              static_cast<uint>(seed >> 32), context_.stats);
+                                              static_cast<uint>(seed >> 32), context_.helpers);
     for (const auto& copy : context_.copies)
         if (copy->failure.empty())
             solver_->add_helper(*copy,
@@ -306,6 +306,11 @@ std::vector<Layer> SurfaceMethod::snapshot() const {
 std::vector<Layer> SurfaceMethod::take() {
     if (mean_.count() > 0) return mean_.take();
     return frame_ ? frame_->take_layers() : std::vector<Layer>();
+}
+
+void SurfaceMethod::let_go() {
+    solver_ = nullptr;
+    if (mean_.count() > 0) frame_ = nullptr;
 }
 
 std::vector<std::string> SurfaceMethod::explain() const {

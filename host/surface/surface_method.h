@@ -27,6 +27,7 @@ public:
     bool advance() override;
     std::vector<Layer> snapshot() const override;
     std::vector<Layer> take() override;
+    void let_go() override;
     double estimated_error() const override;
     CertifiedError certified_error() const override;
     std::vector<std::string> explain() const override;

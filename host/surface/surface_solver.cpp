@@ -47,7 +47,7 @@ glm::dvec3 power(const Buffer<float4>& irradiance) {
 }  // namespace
 
 SurfaceSolver::SurfaceSolver(Kernels& kernels, const DeviceScene& scene, SurfaceLights lights, const WorldQuality& quality,
-                             StageClock& clock, uint seed, RenderStats& stats)
+                             StageClock& clock, uint seed, HelperReport& helpers)
     : kernels_(kernels),
       scene_(scene),
       lights_(std::move(lights)),
@@ -56,7 +56,7 @@ SurfaceSolver::SurfaceSolver(Kernels& kernels, const DeviceScene& scene, Surface
       seed_(seed),
       world_(kernels, scene, quality.pencils, seed_, lights_.drawn),
       gatherer_(kernels, scene, lights_, quality.light_draws, chunk_surfels >> quality.thrift),
-      team_(kernels, stats) {}
+      team_(kernels, helpers) {}
 
 SurfaceSolver::Course SurfaceSolver::course() const { return {gathers_, spots_.has_value(), spots_ ? spots_->found : std::vector<Spot>()}; }
 

@@ -36,7 +36,7 @@ public:
     };
 
     SurfaceSolver(Kernels& kernels, const DeviceScene& scene, SurfaceLights lights, const WorldQuality& quality, StageClock& clock,
-                  uint seed, RenderStats& stats);
+                  uint seed, HelperReport& helpers);
     /// Another device shares what is gathered from now on.
     void add_helper(DeviceCopy& copy, const std::function<SurfaceLights()>& lights);
 

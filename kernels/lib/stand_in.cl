@@ -68,7 +68,7 @@ static inline float3 place_between(float3 x, float3 n, float3 y, float3 m) {
 }
 
 /// The nearest of the candidates that sees, as x does, the place between them; -1 if none does.
-static inline int first_in_sight(global const SurfacePencil *pencils, const StandIns *found, float3 x, float3 n, int plane,
+static inline int first_in_sight(global const SurfacePencil *pencils, const StandIns *found, float3 x, float3 n, float3 g, int plane,
                                  global const BvhNode *nodes, global const int *leaves, global const Triangle *triangles,
                                  global const float4 *planes) {
     // Rays 2 k and 2 k + 1: from x, and from candidate k.
@@ -85,7 +85,7 @@ static inline int first_in_sight(global const SurfacePencil *pencils, const Stan
         d[1][r] = step.y;
         d[2][r] = step.z;
         own[r] = r % 2 == 0 ? plane : p->plane;
-        bool ahead = dot(step, r % 2 == 0 ? n : p->facing.xyz) > 0.0f;  // rays do not meet what they start on
+        bool ahead = dot(step, r % 2 == 0 ? g : p->facing.xyz) > 0.0f;  // rays do not meet what they start on
         end[r] = i >= 0 && ahead ? 1.0f : -1.0f;
     }
     for (int r = 0; r < 2 * STAND_INS; r += PENCIL_WIDTH) {
@@ -99,20 +99,21 @@ static inline int first_in_sight(global const SurfacePencil *pencils, const Stan
     return -1;
 }
 
-/// The links of a point. Where none may be used, another stands in, if there is one: then index[1] is LINK_STANDS_IN. `plane`: that x lies on.
+/// The links of a point. Where none may be used, another stands in, if there is one: then index[1] is LINK_STANDS_IN. g: geometric normal;
+/// `plane`: that x lies on.
 APART static PencilLinks nearest_pencils(global const SurfacePencil *pencils, PencilGrid grid, global const int *starts,
-                                         global const float *entries, float3 x, float3 n, int plane, global const BvhNode *nodes,
+                                         global const float *entries, float3 x, float3 n, float3 g, int plane, global const BvhNode *nodes,
                                          global const int *leaves, global const Triangle *triangles, global const float4 *planes) {
     PencilLinks links = reaching_pencils(pencils, grid, starts, entries, x, n);
     if (links.index[0] >= 0) return links;
     StandIns found;
     no_stand_ins(&found);
     consider_cells(pencils, grid, starts, entries, x, n, &found);
-    int chosen = first_in_sight(pencils, &found, x, n, plane, nodes, leaves, triangles, planes);
+    int chosen = first_in_sight(pencils, &found, x, n, g, plane, nodes, leaves, triangles, planes);
     if (chosen < 0) {
         no_stand_ins(&found);
         consider_all(pencils, grid, x, n, &found);
-        chosen = first_in_sight(pencils, &found, x, n, plane, nodes, leaves, triangles, planes);
+        chosen = first_in_sight(pencils, &found, x, n, g, plane, nodes, leaves, triangles, planes);
     }
     if (chosen < 0) return links;
     links.index[0] = chosen;
