@@ -29,8 +29,8 @@ STACK_OF = {
     "guide_hemispheres": (832, "the spots of a pencil beside the stack of the hierarchy"),
     "share_hemispheres": (832, "the spots of a pencil and their rings"),
     "light_surfels": (320, "the stack of the hierarchy, surfel and sample"),
-    "link_surfels": (1280, "rays of the eight pencils that may stand in"),
-    "project_surface_pencils": (1280, "rays of the eight pencils that may stand in"),
+    "link_surfels": (1024, "rays of the eight pencils that may stand in"),
+    "project_surface_pencils": (1024, "rays of the eight pencils that may stand in"),
     "test_visibility": (320, "the stack of the hierarchy, surfel and map"),
 }
 CLC = "/usr/lib/clc"
