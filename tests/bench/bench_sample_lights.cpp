@@ -5,6 +5,9 @@
 namespace pencil::bench {
 namespace {
 
+/// Surfels that draw together (LIGHT_SURFELS).
+constexpr int light_surfels = 16;
+
 void bench_sample_lights(benchmark::State& state) {
     WorldBench& bench = world_bench();
     const Surfels& surfels = bench.world.surfels();
@@ -18,11 +21,11 @@ void bench_sample_lights(benchmark::State& state) {
         {product(surfels.count, "surfels", count / stride, "light samples"), pairs, pairs * 4.0, {"direct light to surface pencils"}},
         [&] { sample_lights(bench.kernels, bench.scene, surfels, bench.lights, stride, draws, 7, outgoing); },
         [&] {
-            native::sample_lights(workbench().view(), bench.bvh_view(), bench.surfels(), samples.data(), count, device()->packet_width(),
-                                  stride, draws, 7, {native_outgoing.data(), bench.surfels().capacity});
+            native::sample_lights(workbench().view(), bench.bvh_view(), bench.surfels(), samples.data(), count, light_surfels, stride,
+                                  draws, 7, {native_outgoing.data(), bench.surfels().capacity});
         },
         [&] {
-            // Rounding may turn a draw of a packet.
+            // Rounding may turn a draw.
             return differences(used_rgb(outgoing.read(), surfels.capacity, surfels.count),
                                used_rgb(native_outgoing, surfels.capacity, surfels.count), 1e-3, 1e-2);
         });

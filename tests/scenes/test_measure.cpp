@@ -117,7 +117,7 @@ TEST(Measure, AStrongLampNextDoorTakesNothing) {
     scene.point_lights.back().intensity *= 1e9F;
     std::vector<Sensor> walls(6);
     for (std::size_t wall = 0; wall < 6; ++wall) walls[wall].place.shape = static_cast<std::int64_t>(wall);
-    const Measurements pencils = by_pencils(scene, walls, loose), paths = by_paths(scene, walls, 4096);
+    const Measurements pencils = by_pencils(scene, walls, 3e-4), paths = by_paths(scene, walls, 4096);
     for (const Measurements* found : {&pencils, &paths}) {
         double mean = 0;
         for (const Illuminance& wall : found->sensors) mean += wall.value / 6;

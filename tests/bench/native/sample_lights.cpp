@@ -72,7 +72,7 @@ void sample_lights(const SceneView& scene, const BvhView& bvh, const SurfelsView
         std::vector<float> shares(static_cast<std::size_t>(sample_count));
         for (int packet = begin; packet < end; ++packet) {
             const Packet p(surfels, packet * width, width);
-            const unsigned random = hash_uint(static_cast<unsigned>(packet) ^ seed);
+            const unsigned random = hash_uint(static_cast<unsigned>(packet * width) ^ seed);
             const int start = 3 * static_cast<int>(random % static_cast<unsigned>(stride));
             const auto for_candidates = [&](const auto& visit) {
                 for (int three = start; three < sample_count; three += 3 * stride)
