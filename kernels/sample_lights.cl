@@ -19,8 +19,6 @@
 /// Share of the draws that all candidates have alike: what would send most may stand behind a wall (defensive mixture, Hesterberg 1995).
 #define LIGHT_EVEN 0.25f
 
-/// Surfels that draw together: as many whatever the width of packets, so that results do not depend on it.
-#define LIGHT_SURFELS 16
 #define LIGHT_PACKETS (LIGHT_SURFELS / PENCIL_WIDTH)
 
 typedef struct LightGroup {

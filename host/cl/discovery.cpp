@@ -155,7 +155,7 @@ std::string no_device_advice() {
     bool pocl = false;
     for (const NamedPlatform& platform : platforms) {
         text += " " + platform.name + ";";
-        pocl = pocl || platform.name == "Portable Computing Language";
+        pocl = pocl || platform.name == pocl_platform;
     }
     text.back() = '.';
     if (!pocl) return text + " A CPU driver that always works: package pocl-opencl-icd.";

@@ -7,4 +7,7 @@ namespace pencil {
 /// directory below the temporary directory. Does nothing the second time. Must not race with getenv in other threads.
 void prepare_pocl_cache();
 
+/// Name of its platform.
+constexpr const char* pocl_platform = "Portable Computing Language";
+
 }  // namespace pencil

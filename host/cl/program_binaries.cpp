@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "cl/pocl_cache.h"
 #include "util/archive.h"
 #include "util/environment.h"
 #include "util/error.h"
@@ -22,9 +23,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t files_kept = 200, hash_digits = 16;
 
-bool keeps_its_own(const DeviceInfo& device) {
-    return device.platform == "Portable Computing Language" || device.platform == "NVIDIA CUDA";
-}
+bool keeps_its_own(const DeviceInfo& device) { return device.platform == pocl_platform || device.platform == "NVIDIA CUDA"; }
 
 bool is_ours(const struct stat& status) { return status.st_uid == geteuid() && (status.st_mode & 022) == 0; }
 

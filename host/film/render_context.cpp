@@ -2,7 +2,6 @@
 
 #include "film/approximations.h"
 #include "pencils/light_samples.h"
-#include "util/error.h"
 
 namespace pencil {
 

@@ -6,8 +6,6 @@ namespace pencil {
 
 namespace {
 
-/// Surfels that draw together (LIGHT_SURFELS).
-constexpr int light_surfels = 16;
 /// Lights of their own that these consider, if it does not consider all samples: more of them take turns.
 constexpr int most_alone = 24;
 
@@ -20,7 +18,7 @@ void sample_lights(Kernels& kernels, const DeviceScene& scene, const Surfels& su
         .args(surfels.list(), seen_by.list(), lights.list(), scene.hierarchy(), scene.surfaces(),
               static_cast<float>(lights.maps.count) / static_cast<float>(draws), lights.alone,
               stride == 1 ? 1 : std::max(lights.alone / most_alone, 1), stride, draws, seed, outgoing)
-        .run(static_cast<std::size_t>((surfels.count + light_surfels - 1) / light_surfels), "direct light to surface pencils");
+        .run(static_cast<std::size_t>((surfels.count + LIGHT_SURFELS - 1) / LIGHT_SURFELS), "direct light to surface pencils");
 }
 
 }  // namespace pencil

@@ -5,6 +5,9 @@
 
 PENCIL_SHARED_BEGIN
 
+// Surfels that draw light samples together: as many whatever the width of packets, so that results do not depend on it.
+#define LIGHT_SURFELS 16
+
 // LightSample.position.w
 #define LIGHT_POINT 0.0f
 #define LIGHT_AREA 1.0f

@@ -5,9 +5,6 @@
 namespace pencil::bench {
 namespace {
 
-/// Surfels that draw together (LIGHT_SURFELS).
-constexpr int light_surfels = 16;
-
 void bench_sample_lights(benchmark::State& state) {
     WorldBench& bench = world_bench();
     const Surfels& surfels = bench.world.surfels();
@@ -21,7 +18,7 @@ void bench_sample_lights(benchmark::State& state) {
         {product(surfels.count, "surfels", count / stride, "light samples"), pairs, pairs * 4.0, {"direct light to surface pencils"}},
         [&] { sample_lights(bench.kernels, bench.scene, surfels, bench.lights, stride, draws, 7, outgoing); },
         [&] {
-            native::sample_lights(workbench().view(), bench.bvh_view(), bench.surfels(), samples.data(), count, light_surfels, stride,
+            native::sample_lights(workbench().view(), bench.bvh_view(), bench.surfels(), samples.data(), count, LIGHT_SURFELS, stride,
                                   draws, 7, {native_outgoing.data(), bench.surfels().capacity});
         },
         [&] {

@@ -129,8 +129,8 @@ inline SurfacePencils on_device(const std::vector<SurfacePencil>& pencils, int n
 
 /// A scene in which nothing is in the way.
 inline const DeviceScene& far_scene() {
-    static const std::vector<Triangle> triangle = make_scene({{{90, 90, 90}, {91, 90, 90}, {90, 91, 90}, 0}}, 1, 1).flat.triangles;
-    static const DeviceScene scene(device(), make_scene({{{90, 90, 90}, {91, 90, 90}, {90, 91, 90}, 0}}, 1, 1).flat, build_bvh(triangle));
+    static const FlatScene flat = make_scene({{{90, 90, 90}, {91, 90, 90}, {90, 91, 90}, 0}}, 1, 1).flat;
+    static const DeviceScene scene(device(), flat, build_bvh(flat.triangles));
     return scene;
 }
 
