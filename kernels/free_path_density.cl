@@ -2,8 +2,10 @@
 // before the next surface. For n centres uniform in the free volume the density per solid angle is p = n d^3 / (3 volume), d the free path
 // of the line through pencil and point. Both ends of the line stand in the pencil's own map, at a texel and at its antipode.
 
+#include "lib/balance.cl"
 #include "lib/octahedral.cl"
 #include "shared/geometry.h"
+#include "shared/weights.h"
 
 /// Share of a uniform density over the hemisphere that is added to p, relative to n pencils.
 #define UNIFORM_SHARE 0.02f
@@ -19,7 +21,8 @@ static inline float free_distance(Hit hit, float4 cop, float4 direction, float4 
 
 /// launch : 1-D, one work-item per texel of `tile_count` tiles from first_tile
 /// in     : hits, cops of tiles of n x n; low, high: box in which centres lie; volume: of its part in which they may lie
-/// out    : radiance, atlas layout, w of interior texels: 1 / (d^3 / (3 volume) + UNIFORM_SHARE / (2 pi)), n times 1/D
+/// out    : radiance, atlas layout, w of interior texels: 1 / (p / n + UNIFORM_SHARE / (2 pi)); for PENCIL_WEIGHTS_POWER the path alone, from
+///          the centre to where the light of the texel comes from
 /// DEVIATION: no directions are drawn from the uniform density. It only keeps the weights bounded where a wall is near: d^3 tends to 0.
 kernel void free_path_density(global const Hit *hits, global const float4 *cops, int first_tile, int tile_count, int n, float4 low,
                               float4 high, float volume, global float4 *radiance) {
@@ -29,7 +32,11 @@ kernel void free_path_density(global const Hit *hits, global const float4 *cops,
     int2 texel = (int2)(i % n, i / n % n), behind = oct_antipode(texel, n);
     float4 cop = cops[tile], direction = oct_texel_direction(texel, n);
     int at = oct_atlas_index(tile, texel, n);
-    float d = free_distance(hits[at], cop, direction, low, high) +
-              free_distance(hits[oct_atlas_index(tile, behind, n)], cop, -direction, low, high);
-    radiance[at].w = 1.0f / (d * d * d / (3.0f * volume) + UNIFORM_SHARE / (2.0f * M_PI_F));
+    float before = free_distance(hits[oct_atlas_index(tile, behind, n)], cop, -direction, low, high);
+    if (PENCIL_WEIGHTS == PENCIL_WEIGHTS_POWER) {
+        radiance[at].w = before;
+        return;
+    }
+    float density = FREE_PATH_DENSITY(free_distance(hits[at], cop, direction, low, high) + before, volume);
+    radiance[at].w = 1.0f / (density + UNIFORM_SHARE / (2.0f * M_PI_F));
 }

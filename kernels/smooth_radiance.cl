@@ -2,6 +2,7 @@
 
 #include "lib/octahedral.cl"
 #include "shared/atlas.h"
+#include "shared/weights.h"
 
 /// Sum of the weights (1 2 1)^2.
 #define BINOMIAL_SUM 16.0f
@@ -9,6 +10,7 @@
 /// launch : 1-D, one work-item per texel of `tile_count` tiles, gutters included
 /// in     : sharp, atlas layout, interior texels of tiles 0 .. tile_count
 /// out    : radiance, atlas layout, tiles first_tile ..: rgb is the binomial mean (1 2 1)^2 of the sharp texels around; w is kept
+/// PENCIL_WEIGHTS_POWER: nothing is smoothed, for rays look up single texels, and lines beside an edge would take light of the other side.
 /// DEVIATION: the thesis looks up what was rendered. A texel is one sample of its surface, so edges in the map are staircases; the mean
 /// turns them into ramps of the width that bilinear look-ups resolve anyway.
 kernel void smooth_radiance(global const float4 *sharp, int first_tile, int tile_count, int n, global float4 *radiance) {
@@ -19,6 +21,10 @@ kernel void smooth_radiance(global const float4 *sharp, int first_tile, int tile
     int tile = item / texels;
     int2 centre = oct_fold_texel((int2)(item % texels % stride, item % texels / stride) - PENCIL_GUTTER, n);
     int at = oct_atlas_index(tile, centre, n);
+    if (PENCIL_WEIGHTS == PENCIL_WEIGHTS_POWER) {
+        radiance[(size_t)first_tile * texels + item] = sharp[at];
+        return;
+    }
     bool inside = min(centre.x, centre.y) > 0 && max(centre.x, centre.y) < n - 1;  // no neighbour to be folded
     float3 sum = (float3)(0.0f);
     for (int dy = -1; dy <= 1; ++dy)

@@ -35,7 +35,7 @@ STACK_OF = {
 }
 CLC = "/usr/lib/clc"
 SKIPPED = 77
-FORMS = ("dpdf", "voronoi", "analytic", "thesis")  # PENCIL_WEIGHTS_*
+FORMS = ("dpdf", "voronoi", "analytic", "thesis", "power")  # PENCIL_WEIGHTS_*
 
 
 class Target:
@@ -73,7 +73,7 @@ def variants(listing, quick):
                 continue
             forms = {"": {}}
             if "PENCIL_WEIGHTS" in text:
-                forms = {name: {"PENCIL_WEIGHTS": str(number), "PENCIL_CELL_GRID": "16"}
+                forms = {name: {"PENCIL_WEIGHTS": str(number), "PENCIL_CELL_GRID": "16" if name in ("voronoi", "power") else "0"}
                          for number, name in enumerate(FORMS)}
             for form, more in forms.items():
                 for bvh in ("0", "1") if "PENCIL_BVH" in text and not quick else ("1",):

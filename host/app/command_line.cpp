@@ -32,9 +32,7 @@ void read(const Option& row, const std::string& text) {
     }
 }
 
-std::string help_of(const Option& row) {
-    return (row.method.empty() ? "" : "Method " + row.method + ": ") + row.help + (row.accepted.empty() ? "" : " [" + row.accepted + "]");
-}
+std::string help_of(const Option& row) { return methods_text(row) + row.help + (row.accepted.empty() ? "" : " [" + row.accepted + "]"); }
 
 CLI::Option* add(CLI::App& app, const Option& row) {
     if (row.flag.front() == '-' && row.value.empty())

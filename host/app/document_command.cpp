@@ -33,7 +33,7 @@ void write_markdown(const SubCommand& command) {
     std::cout << "| option | accepted | default | meaning |\n|---|---|---|---|\n";
     for (const Option& row : command.table)
         std::cout << "| `" << spelled(row) << "` | " << cell(row.accepted) << " | " << (row.required ? "required" : cell(row.standard))
-                  << " | " << (row.method.empty() ? "" : row.method + ": ") << cell(row.help) << " |\n";
+                  << " | " << (row.methods.empty() ? "" : row.methods + ": ") << cell(row.help) << " |\n";
     std::cout << "\n";
 }
 
@@ -50,8 +50,7 @@ std::string troff(const std::string& text) {
 void write_man(const SubCommand& command) {
     std::cout << ".SH PENCIL " << troff(command.name) << "\n" << troff(command.summary) << ".\n";
     for (const Option& row : command.table) {
-        std::cout << ".TP\n.B " << troff(spelled(row)) << "\n"
-                  << (row.method.empty() ? "" : "Method " + row.method + ": ") << troff(row.help) << ".";
+        std::cout << ".TP\n.B " << troff(spelled(row)) << "\n" << methods_text(row) << troff(row.help) << ".";
         if (!row.accepted.empty()) std::cout << " Accepted: " << troff(row.accepted) << ".";
         if (row.required)
             std::cout << " Required.";

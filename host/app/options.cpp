@@ -24,7 +24,7 @@ Option path_row(const std::string& flag, const std::string& value, std::filesyst
 }
 
 Option surface_row(Option row) {
-    row.method = "surface";
+    row.methods = "surface";
     return row;
 }
 
@@ -182,7 +182,7 @@ std::vector<Option> option_table(MeasureCommand& command) {
     Option target = real_option("--target-error", o.target_error, 0, false, 1,
                                 "Measures until the estimated mean square of the relative errors is at most this, instead of --time");
     target.standard = "";
-    target.method = "surface";
+    target.methods = "surface";
     append(rows,
            {path_row("--points", "FILE", command.points, "Sensors, a line each: x,y,z,nx,ny,nz, or a grid of them"),
             grid_row(command.grids), path_row("-o,--output", "FILE.csv", command.output, "Table to write, instead of the standard output"),

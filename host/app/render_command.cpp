@@ -108,8 +108,9 @@ ExitCode run_render(const RenderCommand& command) {
     std::vector<std::shared_ptr<Device>> devices = timed(report, "open device", [&] { return Device::open_several(command.device); });
     std::shared_ptr<Device> device = devices.front();
     devices.erase(devices.begin());
-    if (report.options.method == MethodName::line) {
-        if (!devices.empty() && !command.device.empty()) throw UsageError("--method line works on one device");
+    if (report.options.method != MethodName::surface) {
+        if (!devices.empty() && !command.device.empty())
+            throw UsageError("--method " + to_string(report.options.method) + " works on one device");
         devices.clear();
     }
     report.device = device->info();

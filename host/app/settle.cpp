@@ -23,21 +23,25 @@ bool is_given(const std::string& flag, const std::vector<Option>& table, const G
         table.begin(), table.end(), [&](const Option& row) { return row.flag == flag && given(row); });
 }
 
+/// Whether a method knows all options that are given.
+bool fits(const std::string& method, const std::vector<Option>& table, const Given& given) {
+    return std::all_of(
+        table.begin(), table.end(), [&](const Option& row) { return !given(row) || serves(row, method); });
+}
+
 }  // namespace
 
 void settle(RenderCommand& command, const std::vector<Option>& table, const Given& given) {
-    const std::string line = to_string(MethodName::line);
-    bool named = false, of_line = false;
-    for (const Option& row : table) {
-        named = named || (row.flag == "--method" && given(row));
-        of_line = of_line || (row.method == line && given(row));
-    }
-    if (!named && of_line) command.options.method = MethodName::line;
+    const bool named = is_given("--method", table, given);
+    for (const MethodName method : {MethodName::surface, MethodName::line, MethodName::hybrid})
+        if (!named && fits(to_string(method), table, given)) {
+            command.options.method = method;
+            break;
+        }
     add_named_layers(command.outputs, command.options.aovs);
     const std::string method = to_string(command.options.method);
     for (const Option& row : table)
-        if (given(row) && !row.method.empty() && row.method != method)
-            throw std::invalid_argument(row.flag + ": is not an option of --method " + method);
+        if (given(row) && !serves(row, method)) throw std::invalid_argument(row.flag + ": is not an option of --method " + method);
 }
 
 void settle(ReferenceCommand& command, const std::vector<Option>& table, const Given& given) {

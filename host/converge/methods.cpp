@@ -7,6 +7,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "options/render_option_table.h"
+
 namespace pencil {
 namespace {
 
@@ -18,7 +20,7 @@ constexpr double first_seconds = 0.25;  // doubled from step to step
 Budget pencil_budget(int step, RenderOptions base, const std::string& flags) {
     const double most = 1 << 20;
     base.pencils = base.light_samples = static_cast<int>(std::lround(std::min(first_pencils * std::pow(growth, step), most)));
-    return {base, fmt::format("--method line --pencils {0} --light-samples {0}{1}", base.pencils, flags)};
+    return {base, fmt::format("--method {2} --pencils {0} --light-samples {0}{1}", base.pencils, flags, to_string(base.method))};
 }
 
 MeasuredMethod pencil_method(const std::string& name, const std::string& summary, const RenderOptions& base, const std::string& flags) {
@@ -36,21 +38,25 @@ Budget surface_budget(int step) {
 std::vector<MeasuredMethod> make_methods() {
     RenderOptions standard;
     standard.method = MethodName::line;
-    RenderOptions fixed = standard, voronoi = standard, analytic = standard, thesis = standard;
+    RenderOptions fixed = standard, voronoi = standard, analytic = standard, thesis = standard, hybrid = standard;
     fixed.iterate = Iterate::fixed;
     voronoi.weights = Weights::voronoi;
     analytic.weights = Weights::analytic;
     thesis.weights = Weights::thesis;
-    return {pencil_method("sets", "a new, smaller set of pencils for each bounce, consistent weights (pencil render --method line)",
-                          standard, ""),
-            pencil_method("fixed", "one set of pencils for all bounces, consistent weights", fixed, " --iterate fixed"),
-            pencil_method("voronoi", "a new, smaller set for each bounce, weights by Voronoi cells of directions", voronoi,
-                          " --weights voronoi"),
-            pencil_method("analytic", "a new, smaller set for each bounce, weights by the free path", analytic, " --weights analytic"),
-            pencil_method("thesis", "a new, smaller set for each bounce, weights with the normaliser printed in the thesis", thesis,
-                          " --weights thesis"),
-            {"surface", "pencils on surfaces gather indirect light for the film and for each other (the default of pencil render)",
-             surface_budget}};
+    hybrid.method = MethodName::hybrid;
+    return {
+        pencil_method("sets", "a new, smaller set of pencils for each bounce, consistent weights (pencil render --method line)", standard,
+                      ""),
+        pencil_method("fixed", "one set of pencils for all bounces, consistent weights", fixed, " --iterate fixed"),
+        pencil_method("voronoi", "a new, smaller set for each bounce, weights by Voronoi cells of directions", voronoi,
+                      " --weights voronoi"),
+        pencil_method("analytic", "a new, smaller set for each bounce, weights by the free path", analytic, " --weights analytic"),
+        pencil_method("thesis", "a new, smaller set for each bounce, weights with the normaliser printed in the thesis", thesis,
+                      " --weights thesis"),
+        pencil_method("hybrid", "lines through pencils and rays of the surfels, weighted by power cells (pencil render --method hybrid)",
+                      hybrid, ""),
+        {"surface", "pencils on surfaces gather indirect light for the film and for each other (the default of pencil render)",
+         surface_budget}};
 }
 
 }  // namespace

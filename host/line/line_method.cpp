@@ -24,8 +24,11 @@ constexpr std::size_t blind_share = 100;
 }  // namespace
 
 MethodNeeds line_needs(const Scene& scene, const std::vector<LightForm>& forms, const RenderOptions& options) {
-    if (options.weights == Weights::analytic && !fills_box_evenly(options.placement))
-        throw UsageError("--weights analytic holds for centres spread evenly, --placement random or lds; take --weights dpdf or voronoi");
+    const int form = kernel_weights(options);
+    if (weights_need_even_centres(form) && !fills_box_evenly(options.placement))
+        throw UsageError(
+            "--method hybrid and --weights analytic hold for centres spread evenly, --placement random or lds; take --weights dpdf or "
+            "voronoi");
     if (scene.environment || !scene.directional_lights.empty())
         throw UsageError(
             "line projection knows no light from infinitely far away: environments, skies, directional lights; take --method surface");
@@ -33,9 +36,9 @@ MethodNeeds line_needs(const Scene& scene, const std::vector<LightForm>& forms, 
         throw UsageError("line projection knows the pinhole camera alone; take --method surface");
     MethodNeeds needs;
     needs.maps = planned_maps(scene, forms, options);
-    needs.hierarchy = follows_rays(options.placement);
-    needs.weights = kernel_weights(options.weights);
-    needs.cell_grid = options.weights == Weights::voronoi ? largest_cell_grid(options.pencils) : 0;
+    needs.hierarchy = follows_rays(options.placement) || weights_need_rays(form);
+    needs.weights = form;
+    needs.cell_grid = weights_are_cells(form) ? largest_cell_grid(options.pencils) : 0;
     return needs;
 }
 
@@ -92,7 +95,7 @@ void LineMethod::make_first_set() {
 PencilSet LineMethod::next_set(bool direct) {
     const bool fixed = context_.options.iterate == Iterate::fixed;
     PencilSet next = fixed ? PencilSet(context_.kernels.device(), set_.maps) : solver_->create(projected_, &set_, false, direct);
-    if (fixed && weights_in_maps(context_.options.weights))
+    if (fixed && weights_in_maps(context_.kernels.features().weights))
         next.radiance.copy_from(set_.radiance, 0, 0, set_.radiance.size());  // the quadrature weights stay, the radiance is overwritten
     solver_->fill(next, &set_, false, direct, !fixed);
     return next;
@@ -102,8 +105,8 @@ PencilSet LineMethod::next_set(bool direct) {
 void LineMethod::project() {
     series_.add(sum_radiance(context_.kernels, set_));
     const double seconds = context_.clock.run("projection-scatter", [&] {
-        project_pencils(context_.kernels, context_.device_scene, frame_->film().surfels(), set_, solver_->weight_tables(),
-                        frame_->outgoing(), visible_, "projection-scatter");
+        solver_->project(frame_->film().surfels(), set_, film_rays(context_.options, projected_), frame_->outgoing(), visible_,
+                         "projection-scatter");
     });
     if (projected_++ == 0) count_blind();
     frame_->finish_bounce(order_ + 1, set_.maps->count, seconds);
@@ -161,7 +164,7 @@ std::vector<Layer> LineMethod::take() { return frame_ ? frame_->take_layers() : 
 
 std::vector<std::string> LineMethod::explain() const {
     const RenderOptions& options = context_.options;
-    std::vector<std::string> lines{explain_weights(options.weights, cell_grid(options.pencils)),
+    std::vector<std::string> lines{explain_weights(context_.kernels.features().weights, cell_grid(options.pencils)),
                                    options.iterate == Iterate::fixed
                                        ? "iteration: one fixed set; its geometry maps and weights are made once"
                                        : "iteration: a new, smaller set for each bounce"};

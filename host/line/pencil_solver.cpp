@@ -74,19 +74,34 @@ void PencilSolver::send(const GeometryMaps& maps, int first, int count, const Pe
     outgoing.fill_zero();
     if (emission) emit_surfels(kernels_, scene_, surfels, true, outgoing);
     if (direct) light_surfels(kernels_, scene_, surfels, lights_, outgoing, "direct light to pencils");
-    if (source) project_pencils(kernels_, scene_, surfels, *source, tables_, outgoing, visible, "pencil transport");
+    if (!source) return;
+    RayChoice rays = map_rays(options_, sets_);
+    rays.first_key = first * maps.n * maps.n;
+    project(surfels, *source, rays, outgoing, visible, "pencil transport");
+}
+
+void PencilSolver::project(const Surfels& surfels, const PencilSet& source, const RayChoice& rays, Buffer<float>& outgoing,
+                           Buffer<int>& visible, const std::string& what) {
+    const bool sends = weights_need_rays(form());
+    const int step = sends ? ray_stretch(rays) : std::max(surfels.count, 1);
+    for (int first = 0; first < surfels.count; first += step) {
+        const int end = std::min(first + step, surfels.count);
+        if (sends) project_rays(kernels_, scene_, surfels, first, end, source, free_space_.space(), rays, tables_.rays());
+        project_pencils(kernels_, scene_, surfels, first, end, source, tables_, outgoing, visible, what);
+    }
 }
 
 void PencilSolver::fill(PencilSet& target, const PencilSet* source, bool emission, bool direct, bool weights) {
+    ++sets_;
     const auto& device = kernels_.device();
     const int n = target.maps->n;
     const int tiles = chunk_tiles(n, target.maps->count);
     Surfels surfels(kernels_, tiles * n * n, "surfels of pencil maps");
     Buffer<float> outgoing = surfel_rgb(device, surfels.capacity, "radiance of pencil maps");
     Buffer<int> visible(device, static_cast<std::size_t>(surfels.capacity), "visible pencils");
-    const bool density = weights && weights_in_maps(options_.weights);
+    const bool density = weights && weights_in_maps(form());
     Buffer<uint> mask;
-    if (density && weights_need_masks(options_.weights))
+    if (density && weights_need_masks(form()))
         mask = Buffer<uint>(device, static_cast<std::size_t>(surfels.capacity) * static_cast<std::size_t>(mask_words(target.maps->count)),
                             "visibility masks");
     for (int first = 0; first < target.maps->count; first += tiles) {
@@ -97,7 +112,7 @@ void PencilSolver::fill(PencilSet& target, const PencilSet* source, bool emissio
         });
         if (!density) continue;
         clock_.run("pencil density", [&] {
-            if (weights_need_masks(options_.weights)) {
+            if (weights_need_masks(form())) {
                 test_visibility(kernels_, scene_, surfels, *target.maps, mask);
                 estimate_density(kernels_, surfels, mask, first, target);
             } else {

@@ -8,6 +8,7 @@
 #include "device/surfels.h"
 #include "line/free_space.h"
 #include "line/placement/candidate_source.h"
+#include "line/project_rays.h"
 #include "line/weights.h"
 #include "options/render_options.h"
 
@@ -32,12 +33,17 @@ public:
     /// quadrature weights of its texels are made too (alg. 6.1), where the form needs any.
     void fill(PencilSet& target, const PencilSet* source, bool emission, bool direct, bool weights);
 
-    WeightTables& weight_tables() { return tables_; }
+    /// Adds the radiance of `source` reflected by the surfels, and the light of their own rays where the form of weights has any; `rays`
+    /// says which. `visible` gets the number of pencils that each surfel sees. `what`: "pencil transport" or "projection-scatter".
+    void project(const Surfels& surfels, const PencilSet& source, const RayChoice& rays, Buffer<float>& outgoing, Buffer<int>& visible,
+                 const std::string& what);
+
     const SetTimes& times() const { return times_; }
     void reset_times() { times_ = {}; }
 
 private:
     std::vector<float4> power_seen(std::shared_ptr<GeometryMaps> maps, const PencilSet* source, bool emission, bool direct);
+    int form() const { return kernels_.features().weights; }
     void send(const GeometryMaps& maps, int first, int count, const PencilSet* source, bool emission, bool direct, Surfels& surfels,
               Buffer<float>& outgoing, Buffer<int>& visible);
 
@@ -49,6 +55,7 @@ private:
     const RenderOptions& options_;
     StageClock& clock_;
     WeightTables tables_;
+    int sets_ = 0;  // filled so far
     SetTimes times_;
 };
 

@@ -14,4 +14,8 @@ namespace pencil {
 void project_pencils(Kernels& kernels, const DeviceScene& scene, const Surfels& surfels, const PencilSet& set, WeightTables& weights,
                      Buffer<float>& outgoing, Buffer<int>& visible, const std::string& what);
 
+/// The same for surfels `first` to `end`, `first` a multiple of surfel_multiple.
+void project_pencils(Kernels& kernels, const DeviceScene& scene, const Surfels& surfels, int first, int end, const PencilSet& set,
+                     WeightTables& weights, Buffer<float>& outgoing, Buffer<int>& visible, const std::string& what);
+
 }  // namespace pencil

@@ -7,7 +7,6 @@
 
 #include "device/features.h"
 #include "pencils/cell_directions.h"
-#include "shared/weights.h"
 
 namespace pencil {
 
@@ -25,17 +24,26 @@ int kernel_weights(Weights weights) {
     return PENCIL_WEIGHTS_DPDF;
 }
 
-std::string explain_weights(Weights weights, int grid) {
-    switch (weights) {
-        case Weights::voronoi:
+int kernel_weights(const RenderOptions& options) {
+    return options.method == MethodName::hybrid ? PENCIL_WEIGHTS_POWER : kernel_weights(options.weights);
+}
+
+std::string explain_weights(int form, int grid) {
+    switch (form) {
+        case PENCIL_WEIGHTS_VORONOI:
             return fmt::format(
                 "weights: Voronoi cells of the visible directions, sampled by {} directions; left out: visibility masks and density",
                 grid * grid);
-        case Weights::analytic:
+        case PENCIL_WEIGHTS_ANALYTIC:
             return "weights: self-normalised 1/p, p from the free path and the free volume; left out: visibility masks";
-        case Weights::thesis:
+        case PENCIL_WEIGHTS_POWER:
+            return fmt::format(
+                "weights: power cells of the directions of pencils and of rays of the surfels, sampled by {} directions; left out: "
+                "visibility masks",
+                grid * grid);
+        case PENCIL_WEIGHTS_THESIS:
             return "weights: the printed normaliser of eq. (5.33), which is not consistent";
-        case Weights::dpdf:
+        default:
             break;
     }
     return "weights: self-normalised 1/D, beta from the number of visible pencils";
@@ -52,12 +60,16 @@ int largest_cell_grid(int pencils) {
     return grid <= 24 ? 24 : 48;
 }
 
+WeightTables::WeightTables(Kernels& kernels) : kernels_(kernels) {
+    rays_.data = Buffer<float>(kernels.device(), std::vector<float>(), "light of rays");
+}
+
 const CellTable& WeightTables::cells(int pencils) {
-    const bool voronoi = kernels_.features().weights == PENCIL_WEIGHTS_VORONOI;
-    const int grid = voronoi ? std::min(cell_grid(pencils), kernels_.features().cell_grid) : 0;
+    const bool cells = weights_are_cells(kernels_.features().weights);
+    const int grid = cells ? std::min(cell_grid(pencils), kernels_.features().cell_grid) : 0;
     CellTable& table = cells_[grid];
     if (!table.directions.allocated()) {
-        table.directions = Buffer<float4>(kernels_.device(), voronoi ? cell_directions(grid) : std::vector<float4>(), "cell directions");
+        table.directions = Buffer<float4>(kernels_.device(), cells ? cell_directions(grid) : std::vector<float4>(), "cell directions");
         table.tiles = grid * grid / PENCIL_CELL_TILE;
     }
     return table;

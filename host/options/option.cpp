@@ -20,6 +20,15 @@ std::string long_name(const Option& option) {
 
 }  // namespace
 
+bool serves(const Option& option, const std::string& method) {
+    return option.methods.empty() || (", " + option.methods + ",").find(" " + method + ",") != std::string::npos;
+}
+
+std::string methods_text(const Option& option) {
+    if (option.methods.empty()) return "";
+    return (option.methods.find(',') == std::string::npos ? "Method " : "Methods ") + option.methods + ": ";
+}
+
 std::string option_key(const Option& option) {
     std::string key = long_name(option);
     std::replace(key.begin(), key.end(), '-', '_');

@@ -21,12 +21,16 @@ struct Option {
     std::string accepted;                          // range or words: "1 to 1048576", "direct, emission, auto"; may be empty
     std::string standard;                          // the default as text; may be empty
     std::string help;                              // one sentence without a full stop
-    std::string method;                            // the only method that knows it, empty: all
+    std::string methods;                           // those that know it, ", " between them; empty: all
     std::function<void(const std::string&)> read;  // throws std::invalid_argument, which completes "--flag: "; a switch reads ""
     std::function<OptionValue()> show;             // what it is now; empty: not part of --stats and image headers
     bool required = false, repeated = false;
 };
 
+/// Whether a method knows it.
+bool serves(const Option& option, const std::string& method);
+/// "Method surface: ", "Methods line, hybrid: ", or nothing.
+std::string methods_text(const Option& option);
 /// "light_samples" of "--light-samples": its key in --stats.
 std::string option_key(const Option& option);
 /// "lightSamples": its name in image headers, behind "pencil:".

@@ -16,18 +16,18 @@ namespace {
 /// More pencils, light samples or seconds than any device or patience has.
 constexpr int many = 1 << 20;
 constexpr double long_time = 1e6;
-constexpr int most_bounces = 1000;
+constexpr int most_bounces = 1000, most_rays = 1 << 12;
 constexpr double most_efficacy = 1e6;  // [lm/W]
 /// Octahedral maps: whole blocks of 8 x 8 texels.
 constexpr int map_step = 8, largest_map = 1024;
 
 /// In the order of the enumerations.
-const std::vector<std::string> methods{"surface", "line"}, initials{"direct", "emission", "auto"},
+const std::vector<std::string> methods{"surface", "line", "hybrid"}, initials{"direct", "emission", "auto"},
     placements{"random", "lds", "near-surface", "light-rays", "camera-rays", "profile"},
     weightings{"dpdf", "voronoi", "analytic", "thesis"}, iterations{"sets", "fixed"};
 
-Option only(MethodName method, Option option) {
-    option.method = to_string(method);
+Option only(std::initializer_list<MethodName> served, Option option) {
+    for (const MethodName method : served) option.methods += (option.methods.empty() ? "" : ", ") + to_string(method);
     return option;
 }
 
@@ -46,7 +46,7 @@ Option target_row(double& target) {
 
 Option pencils_row(int& pencils) {
     Option row = integer_option("--pencils", pencils, 1, many, "Pencils of the first set; surface: of the world set of the first pass");
-    row.standard = fmt::format("{}; line: {}", standard_pencils(MethodName::surface), standard_pencils(MethodName::line));
+    row.standard = fmt::format("{}; line, hybrid: {}", standard_pencils(MethodName::surface), standard_pencils(MethodName::line));
     return row;
 }
 
@@ -133,28 +133,31 @@ void check_options(RenderOptions options) {
 }
 
 std::vector<Option> render_option_table(RenderOptions& o) {
-    constexpr MethodName line = MethodName::line, surface = MethodName::surface;
+    constexpr MethodName line = MethodName::line, hybrid = MethodName::hybrid, surface = MethodName::surface;
     return {
         word_option("--method", o.method, methods,
-                    "Pencils on surfaces, or line projection, the thesis' method; an option of line alone selects it"),
-        only(surface, time_row(o.seconds)),
-        only(surface, target_row(o.target_error)),
+                    "Pencils on surfaces; line projection, the thesis' method; or lines and rays of the surfels, balanced. An option of "
+                    "one of the last two selects it"),
+        only({surface}, time_row(o.seconds)),
+        only({surface}, target_row(o.target_error)),
         pencils_row(o.pencils),
-        only(line, real_option("--decay", o.decay, 0, false, 1, "Size of each further set relative to the last")),
+        only({line, hybrid}, real_option("--decay", o.decay, 0, false, 1, "Size of each further set relative to the last")),
         endless_option("--bounces", o.bounces, 0, most_bounces,
                        "Reflections at most: 0 emission only, 1 direct light only; auto: until --tolerance"),
         real_option("--tolerance", o.tolerance, 0, false, 1,
                     "Stop when a bounce adds less than this share; the rest is estimated and reported"),
-        only(line, map_row(o.map)),
+        only({line, hybrid}, map_row(o.map)),
         integer_option("--light-samples", o.light_samples, 1, many, "Point samples over all emitters"),
         word_option("--initial", o.initial, initials,
                     "Direct light from light samples, or from maps that carry emitted light; auto decides per emitter"),
-        only(line, placement_row(o.placement)),
-        only(line,
+        only({line, hybrid}, placement_row(o.placement)),
+        only({line},
              word_option("--weights", o.weights, weightings,
                          "Quadrature weights of the pencils: by density of directions, by Voronoi cells, by free path; thesis is dpdf "
                          "with the printed normaliser")),
-        only(line, word_option("--iterate", o.iterate, iterations, "A new, smaller set for each bounce, or one set iterated")),
+        only({line, hybrid}, word_option("--iterate", o.iterate, iterations, "A new, smaller set for each bounce, or one set iterated")),
+        only({hybrid}, integer_option("--rays", o.rays, 1, most_rays,
+                                      "Rays of each surfel of the film, rounded up to a square; texels of maps send a quarter as many")),
         resolution_option(o.width, o.height, "the scene's"),
         integer_option("--film-samples", o.film_samples, 1, 64, "Visibility samples of a pixel"),
         list_option("--aov", o.aovs, all_layers(), "all but illuminance, luminance", "Layers beside the beauty, separated by commas",

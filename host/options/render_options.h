@@ -9,7 +9,7 @@
 
 namespace pencil {
 
-enum class MethodName { surface, line };
+enum class MethodName { surface, line, hybrid };
 enum class Initial { direct, emission, automatic };
 enum class Placement { random, lds, near_surface, light_rays, camera_rays, profile };
 enum class Weights { dpdf, voronoi, analytic, thesis };
@@ -32,6 +32,7 @@ struct RenderOptions {
     std::vector<Placement> placement{Placement::lds};  // line: a mixture, in turn
     Weights weights = Weights::dpdf;                   // line
     Iterate iterate = Iterate::sets;                   // line
+    int rays = 64;                                     // hybrid: of each surfel of the film
     double seconds = 0;                                // surface: passes until then, 0: until target_error
     double target_error = target_of_scene;             // surface: estimated relMSE at which to stop
     double tolerance = 1e-3;                           // of the radiance a bounce adds, relative to the sum
@@ -51,6 +52,6 @@ constexpr double standard_target(bool lobes) { return lobes ? 4e-3 : 1e-3; }
 constexpr double standard_efficacy(bool photometric) { return photometric ? 683 : 179; }
 /// That, unless another was `asked` for.
 constexpr double efficacy_of(double asked, bool photometric) { return asked == efficacy_of_scene ? standard_efficacy(photometric) : asked; }
-constexpr int standard_pencils(MethodName method) { return method == MethodName::line ? 128 : 800; }
+constexpr int standard_pencils(MethodName method) { return method == MethodName::surface ? 800 : 128; }
 
 }  // namespace pencil

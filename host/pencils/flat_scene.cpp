@@ -134,7 +134,7 @@ void flatten_triangles(const Scene& scene, MaterialRows& rows, FlatScene& flat) 
 
 /// Counts the mates of each triangle: neighbours in the list that share its plane.
 void count_mates(std::vector<Triangle>& triangles) {
-    constexpr std::ptrdiff_t most_mates = 2;  // on each side: walls of two triangles, polygons of up to three have all of theirs
+    constexpr std::ptrdiff_t most_mates = 12;  // on each side: walls with a door and some windows have all of theirs
     const auto size = static_cast<std::ptrdiff_t>(triangles.size());
     auto same = [&](std::ptrdiff_t i, std::ptrdiff_t k) {
         return k >= 0 && k < size && triangles[static_cast<std::size_t>(k)].plane == triangles[static_cast<std::size_t>(i)].plane;

@@ -17,6 +17,7 @@ std::unique_ptr<Method> make(RenderContext& context) {
 constexpr MethodRow methods[] = {
     {MethodName::surface, surface_needs, make<SurfaceMethod>},
     {MethodName::line, line_needs, make<LineMethod>},
+    {MethodName::hybrid, line_needs, make<LineMethod>},
 };
 
 }  // namespace

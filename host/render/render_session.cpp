@@ -35,7 +35,7 @@ bool has_lobes(const Scene& scene) {
 RenderOptions checked(const RenderOptions& options, const Scene& scene, const Device& device) {
     RenderOptions complete = resolve(options, scene);
     if ((complete.irradiance || !scene.sensor_points.empty()) && complete.method != MethodName::surface)
-        throw UsageError("irradiance is measured by the surface method alone; leave out --method line");
+        throw UsageError("irradiance is measured by the surface method alone; leave out --method");
     check_options(complete);  // the kernels rely on these limits, whoever calls
     check_memory(complete, device);
     return complete;

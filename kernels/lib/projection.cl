@@ -1,5 +1,5 @@
 // What a block of surfels receives from pencils. Every form of weights (weights_*.cl) brings
-//   void sum_pencils(packets, map, radiance, cops, pencil_count, directions, tiles, sums)
+//   void sum_pencils(packets, map, radiance, cops, pencil_count, directions, tiles, rays, sums)
 // which adds all pencils to the sums, and says which with which weight.
 
 #include "lib/packet.cl"
@@ -15,6 +15,14 @@ typedef struct ProjectionSums {
     vint seen[PENCIL_BLOCK];                     // number of pencils
     float density[PENCIL_BLOCK * PENCIL_WIDTH];  // sum of D, for PENCIL_WEIGHTS_THESIS only
 } ProjectionSums;
+
+/// Rays that the surfels have sent themselves (RAY_FIELDS), for PENCIL_WEIGHTS_POWER only.
+typedef struct SurfelRays {
+    global const float *data;
+    int capacity, count;  // surfels, rays of each
+    int first;            // the first surfel of the block
+    float volume;         // in which centres of pencils are uniform
+} SurfelRays;
 
 static inline void clear_sums(ProjectionSums *sums) {
     for (int l = 0; l < PENCIL_BLOCK * PENCIL_WIDTH; ++l) {
@@ -59,7 +67,7 @@ static inline void add_seen(const Aimed *block, uint surfel, global const float4
     uint l = surfel % PENCIL_WIDTH;
     float4 texel = fetch_radiance(radiance, LANE_INT(aimed->f.index, l), stride, LANE_FLOAT(aimed->f.fx, l), LANE_FLOAT(aimed->f.fy, l));
     float weight = LANE_FLOAT(aimed->weight, l);
-    if (PENCIL_WEIGHTS != PENCIL_WEIGHTS_VORONOI) weight *= texel.w;
+    if (PENCIL_CELL_GRID == 0) weight *= texel.w;
     sums->light[surfel] += weight * (float4)(texel.xyz, 1.0f);
     if (PENCIL_WEIGHTS == PENCIL_WEIGHTS_THESIS) sums->density[surfel] += 1.0f / texel.w;
 }

@@ -10,9 +10,10 @@
 /// Adds every pencil that the block sees with the weight cos/D.
 static inline void sum_pencils(const SurfelPacket *packets, const VisibilityMap *map, global const float4 *radiance,
                                global const float4 *cops, int pencil_count, global const float4 *directions, int tiles,
-                               ProjectionSums *sums) {
+                               const SurfelRays *rays, ProjectionSums *sums) {
     (void)directions;
     (void)tiles;
+    (void)rays;
     for (int i = 0; i < pencil_count; ++i) {
         float4 cop = (float4)(cops[i].xyz, 0.0f);
         Aimed aimed[PENCIL_BLOCK];

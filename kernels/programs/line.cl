@@ -6,6 +6,7 @@
 #include "free_path_density.cl"
 #include "gather_surfels.cl"
 #include "project_pencils.cl"
+#include "project_rays.cl"
 #include "smooth_radiance.cl"
 #include "store_radiance.cl"
 #include "sum_radiance.cl"

@@ -74,7 +74,7 @@ TEST(Usage, HelpNamesEveryCommandAndOption) {
     EXPECT_EQ(render.code, 0);
     for (const char* word : {"--output",    "--pencils", "--decay",   "--bounces",   "--map",        "--light-samples", "--initial",
                              "--placement", "--weights", "--iterate", "--tolerance", "--resolution", "--seed",          "--device",
-                             "--aov",       "--define",  "--stats",   "--explain",   "--quiet",      "--film-samples"})
+                             "--aov",       "--define",  "--stats",   "--explain",   "--quiet",      "--film-samples",  "--rays"})
         EXPECT_NE(render.out.find(word), std::string::npos) << word;
     EXPECT_TRUE(render.err.empty()) << render.err;
 }

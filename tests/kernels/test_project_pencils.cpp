@@ -253,7 +253,7 @@ void check_constant(Weights weights) {
     SCOPED_TRACE(kernel_weights(weights));
     const TestScene scene = room_scene(107, 10);
     Random random(108);
-    Kernels kernels = make_kernels(false, weights, largest_cell_grid(50));
+    Kernels kernels = make_kernels(false, weights, weights == Weights::voronoi ? largest_cell_grid(50) : 0);
     const DeviceScene on_device(device(), scene.flat);
     const auto maps = std::make_shared<GeometryMaps>(rasterized(kernels, on_device, random_centres(random, 50), 16));
     PencilSet set(device(), maps);

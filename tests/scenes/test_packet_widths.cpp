@@ -18,7 +18,8 @@ std::vector<float> beauty_at(const char* width, const Scene& scene, MethodName m
     options.width = 32;
     options.height = 24;
     options.target_error = 1;
-    if (method == MethodName::line) options.pencils = 64;
+    if (method != MethodName::surface) options.pencils = 64;
+    if (method == MethodName::hybrid) options.pencils = 16, options.map = 32, options.bounces = 4;
     RenderSession session(scene, options, narrow);
     while (session.advance()) {
     }
@@ -42,6 +43,8 @@ void expect_the_same_image(MethodName method) {
 TEST(PacketWidths, GiveTheSameImageBySurfacePencils) { expect_the_same_image(MethodName::surface); }
 
 TEST(PacketWidths, GiveTheSameImageByLines) { expect_the_same_image(MethodName::line); }
+
+TEST(PacketWidths, GiveTheSameImageByLinesAndRays) { expect_the_same_image(MethodName::hybrid); }
 
 }  // namespace
 }  // namespace pencil::test

@@ -72,6 +72,22 @@ TEST(FlatScene, APlaneIsOfOneShapeAndMaterial) {
     EXPECT_EQ(flat.triangles[0].shape, flat.triangles[1].shape);
 }
 
+TEST(FlatScene, AWallWithADoorKnowsAllItsTriangles) {
+    Scene scene;
+    add_square(scene, "wall", 0, grey);
+    for (int k = 0; k < 5; ++k) {
+        const Triangle3 first = scene.triangles[0], second = scene.triangles[1];
+        scene.triangles.push_back(first);
+        scene.triangles.push_back(second);
+    }
+    const FlatScene flat = flat_of(scene);
+    ASSERT_EQ(flat.planes.size(), 1U);
+    for (int i = 0; i < 12; ++i) {
+        EXPECT_EQ(MATES_BEFORE(flat.triangles[static_cast<std::size_t>(i)].mates), i);
+        EXPECT_EQ(MATES_AFTER(flat.triangles[static_cast<std::size_t>(i)].mates), 11 - i);
+    }
+}
+
 TEST(FlatScene, NearAreasAreOfTheEmittingShape) {
     Scene scene;
     add_square(scene, "wall", 0, grey);

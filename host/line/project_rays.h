@@ -1,0 +1,33 @@
+// Launcher of kernels/project_rays.cl: rays that surfels send themselves, beside the lines of pencils.
+#pragma once
+
+#include "device/device_scene.h"
+#include "device/features.h"
+#include "device/pencil_set.h"
+#include "device/surfels.h"
+#include "line/free_space.h"
+#include "line/weights.h"
+#include "options/render_options.h"
+
+namespace pencil {
+
+/// Which rays: side^2 of each surfel, random by `seed` and the surfel's number from `first_key`.
+struct RayChoice {
+    int side = 0;
+    std::uint32_t seed = 0;
+    int first_key = 0;
+};
+
+/// Those of the film's surfels for set number `index`, and of surfels of maps, which are smoothed and need fewer. All are new each time.
+RayChoice film_rays(const RenderOptions& options, int index);
+RayChoice map_rays(const RenderOptions& options, int index);
+
+/// Surfels whose rays are held at once, a multiple of surfel_multiple.
+int ray_stretch(const RayChoice& choice);
+
+/// Rays of surfels `first` to `end`, at most ray_stretch, looked up in the maps of `source`, whose centres are uniform in `space`
+/// [normalised scene units]. The scene has a hierarchy.
+void project_rays(Kernels& kernels, const DeviceScene& scene, const Surfels& surfels, int first, int end, const PencilSet& source,
+                  const CentreSpace& space, const RayChoice& choice, SurfelRays& rays);
+
+}  // namespace pencil
