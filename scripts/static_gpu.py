@@ -21,7 +21,8 @@ import tempfile
 STACK = 256
 CHAIN = "a chain's vertex with all its lobes, and the stack of the hierarchy (204 bytes)"
 STACK_OF = {
-    "project_pencils": (2048, "cells of voronoi weights: the nearest pencil of each of the sampled directions"),
+    "project_pencils": (2560, "cells of weights: the nearest pencil or ray of each of the sampled directions, and radii"),
+    "project_rays": (320, "the stack of the hierarchy, and a place"),
     "sample_lights": (2304, "16 surfels draw their samples together at any width"),
     "trace_checks": (1152, CHAIN),
     "follow_surfels": (960, CHAIN),

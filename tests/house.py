@@ -10,14 +10,14 @@ import tempfile
 
 # The arrows, written down once more: a folder and those that it uses. CMakeLists.txt must not allow others.
 USES = {
-    "util": [], "options": ["util"], "image": ["util"], "cl": ["util"],
+    "util": [], "options": ["util"], "image": ["util"], "field": ["image", "options"], "cl": ["util"],
     "scene": ["image"], "scene/meshes": ["scene"], "scene/textures": ["scene"], "scene/mitsuba": ["scene/meshes", "scene/textures"],
     "scene/gltf": ["scene/meshes", "scene/textures"], "scene/models": ["scene/meshes", "scene/textures"],
     "scene/formats": ["scene/mitsuba", "scene/gltf", "scene/models"],
     "pencils": ["scene"], "device": ["cl", "pencils", "options"], "visibility": ["device"], "film": ["visibility"], "certify": ["film"],
     "line/placement": ["visibility"], "line": ["film", "line/placement"], "surface": ["certify"], "render": ["line", "surface"],
     "reference": ["scene", "options"], "compare": ["image", "options"], "converge": ["render", "reference", "compare"], "measure": ["render", "reference"],
-    "stress": ["render", "reference"], "app": ["converge", "measure", "stress", "scene/formats"],
+    "stress": ["render", "reference"], "app": ["converge", "measure", "stress", "field", "scene/formats"],
 }
 
 

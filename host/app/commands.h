@@ -24,6 +24,7 @@ struct RenderCommand {
     std::string device;
     std::filesystem::path stats;               // empty: none
     std::filesystem::path checkpoint, resume;  // empty: none
+    std::filesystem::path field;               // empty: none
     bool explain = false, quiet = false;
 };
 
@@ -35,6 +36,20 @@ struct ReferenceCommand {
     ReferenceOptions options;                        // all but the wanted layers
     double lumens_per_watt = efficacy_of_scene;      // of photometric layers
     std::filesystem::path stats;                     // empty: none
+    bool quiet = false;
+};
+
+enum class BakeFrom { reference, hybrid, line };
+std::string to_string(BakeFrom from);
+
+struct BakeCommand {
+    std::filesystem::path scene;
+    LoadOptions load;
+    std::filesystem::path output;
+    BakeFrom from = BakeFrom::reference;
+    RenderOptions options;   // of the set of pencils
+    ReferenceOptions paths;  // of the path tracer
+    std::string device;
     bool quiet = false;
 };
 
@@ -93,6 +108,7 @@ struct DocumentCommand {
 
 ExitCode run_render(const RenderCommand& command);
 ExitCode run_reference(const ReferenceCommand& command);
+ExitCode run_bake(const BakeCommand& command);
 ExitCode run_measure(const MeasureCommand& command);
 ExitCode run_info(const InfoCommand& command);
 ExitCode run_compare(const CompareCommand& command);

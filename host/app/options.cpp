@@ -14,7 +14,7 @@ namespace {
 
 using Rows = std::vector<Option>;
 
-constexpr int most_paths = 1 << 24, most_depth = 1000, most_seeds = 1000;
+constexpr int most_paths = 1 << 24, most_depth = 1000, most_seeds = 1000, most_baked = 1 << 16;
 constexpr double longest_tracing = 1e6, longest_run = 86400;  // [s]
 
 void append(Rows& rows, Rows more) { std::move(more.begin(), more.end(), std::back_inserter(rows)); }
@@ -25,6 +25,11 @@ Option path_row(const std::string& flag, const std::string& value, std::filesyst
 
 Option surface_row(Option row) {
     row.methods = "surface";
+    return row;
+}
+
+Option lines_row(Option row) {
+    row.methods = "line, hybrid";
     return row;
 }
 
@@ -154,6 +159,8 @@ std::vector<Option> option_table(RenderCommand& command) {
                                  "Keep FILE such that a killed render can go on from it; at most 2 % of the time")),
             surface_row(path_row("--resume", "FILE", command.resume,
                                  "Go on from a checkpoint of the same render; --time and --target-error may ask for more than it did")),
+            lines_row(path_row("--field", "FILE", command.field,
+                               "Light of a field that `pencil bake` has made of the scene, instead of sets of pencils")),
             path_row("--stats", "FILE", command.stats, "Write times, launches, residual and decisions as JSON"),
             switch_row("--explain", command.explain, "Print what was decided and what was left out, and why"), quiet_row(command.quiet)});
     return rows;
@@ -171,6 +178,29 @@ std::vector<Option> option_table(ReferenceCommand& command) {
                               "Layers beside the beauty, separated by commas", photometric_layers()),
                   lumens_row(command.lumens_per_watt), seed_option(o.seed),
                   path_row("--stats", "FILE", command.stats, "Write times and counts as JSON"), quiet_row(command.quiet)});
+    return rows;
+}
+
+namespace {
+
+const std::vector<std::string> bakers{"reference", "hybrid", "line"};
+constexpr int baked_pencils = 256, baked_paths = 64;
+
+}  // namespace
+
+std::string to_string(BakeFrom from) { return bakers[static_cast<std::size_t>(from)]; }
+
+std::vector<Option> option_table(BakeCommand& command) {
+    RenderOptions& o = command.options;
+    o.pencils = baked_pencils;
+    command.paths.spp = baked_paths;
+    Rows rows = scene_rows(command.scene, command.load);
+    append(rows, {required(path_row("-o,--output", "FILE.exr", command.output, "Field to write, for `pencil render --field`")),
+                  word_option("--from", command.from, bakers, "What makes the light: the path tracer, lines and rays, or lines alone"),
+                  integer_option("--pencils", o.pencils, 1, most_baked, "Pencils of the field"), map_option(o.map),
+                  integer_option("--spp", command.paths.spp, 1, most_paths, "Light paths of a texel, of the path tracer"),
+                  integer_option("--light-samples", o.light_samples, 1, most_baked, "Point samples over all emitters, of the other two"),
+                  seed_option(o.seed), device_row(command.device), quiet_row(command.quiet)});
     return rows;
 }
 

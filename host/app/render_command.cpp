@@ -9,6 +9,7 @@
 #include "app/message.h"
 #include "app/outputs.h"
 #include "app/run_report.h"
+#include "field/field_file.h"
 #include "render/photometric_layers.h"
 #include "render/render.h"
 #include "render/render_session.h"
@@ -88,6 +89,16 @@ std::vector<std::filesystem::path> write_layers(RunReport& report, const RenderR
     return written.files;
 }
 
+/// The options with the field that is to be shown, whose pencils and maps are the render's.
+RenderOptions with_field(const RenderCommand& command) {
+    RenderOptions options = command.options;
+    if (command.field.empty()) return options;
+    options.field = std::make_shared<PencilField>(read_field(command.field));
+    options.pencils = options.field->count();
+    options.map = options.field->map;
+    return options;
+}
+
 }  // namespace
 
 ExitCode run_render(const RenderCommand& command) {
@@ -99,7 +110,7 @@ ExitCode run_render(const RenderCommand& command) {
     add_warnings(report, scene.warnings);
     report.scene_fingerprint = scene_fingerprint(scene);
 
-    report.options = resolve(command.options, scene);
+    report.options = resolve(with_field(command), scene);
     report.width = report.options.width;
     report.height = report.options.height;
     if (has_photometric(command.options.aovs)) add_warnings(report, mixed_lights(scene, command.options.lumens_per_watt));

@@ -38,6 +38,9 @@ void settle(RenderCommand& command, const std::vector<Option>& table, const Give
             command.options.method = method;
             break;
         }
+    for (const char* flag : {"--pencils", "--map", "--decay", "--iterate", "--placement"})
+        if (!command.field.empty() && is_given(flag, table, given))
+            throw std::invalid_argument(std::string(flag) + ": is decided by the --field");
     add_named_layers(command.outputs, command.options.aovs);
     const std::string method = to_string(command.options.method);
     for (const Option& row : table)

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "options/layer.h"
+#include "options/pencil_field.h"
 #include "options/render_result.h"
 #include "pencils/flat_scene.h"
 #include "shared/weights.h"
@@ -45,6 +47,8 @@ public:
     /// A method that has read it must not have made a step. ArchiveError.
     virtual bool resumable() const { return false; }
     virtual void transfer(Archive&) {}
+    /// RenderResult::field.
+    virtual std::shared_ptr<PencilField> field() const { return {}; }
     /// Decisions and what was left out, one sentence each.
     virtual std::vector<std::string> explain() const = 0;
 };

@@ -110,11 +110,15 @@ std::vector<bool> FreeSpace::accepted(Kernels& kernels, const GeometryMaps& maps
     return result;
 }
 
+double FreeSpace::share() const {
+    if (assumed_share_ >= 0) return assumed_share_;
+    const int rejected = in_solids_ + unreached_;
+    return candidates_ > rejected ? 1.0 - static_cast<double>(rejected) / candidates_ : 1.0;
+}
+
 CentreSpace FreeSpace::space() const {
     const glm::dvec3 size = flat_.high - flat_.low;
-    const int rejected = in_solids_ + unreached_;
-    const double share = candidates_ > rejected ? 1.0 - static_cast<double>(rejected) / candidates_ : 1.0;
-    return {flat_.low, flat_.high, share * size.x * size.y * size.z};
+    return {flat_.low, flat_.high, share() * size.x * size.y * size.z};
 }
 
 std::shared_ptr<GeometryMaps> FreeSpace::create(Kernels& kernels, CandidateSource& source, int count, int set, const PowerSeen& power) {

@@ -44,6 +44,9 @@ public:
     int unreached() const { return unreached_; }
     /// The box of the candidates, and by the share of them accepted so far the volume of the part of it where centres are.
     CentreSpace space() const;
+    /// The same share, known from elsewhere.
+    double share() const;
+    void assume_share(double share) { assumed_share_ = share; }
 
     static constexpr int most_rounds = 16;
 
@@ -60,6 +63,7 @@ private:
     std::vector<uint> reached_;  // bit set of sides, see find_sides.h
     bool any_reached_ = false;
     int candidates_ = 0, in_solids_ = 0, unreached_ = 0;
+    double assumed_share_ = -1;  // below 0: it follows from those
 };
 
 }  // namespace pencil

@@ -45,6 +45,10 @@ MethodNeeds line_needs(const Scene& scene, const std::vector<LightForm>& forms, 
 /// thesis alg. 6.4, or eq. (6.1) for one fixed set. The maps of step k hold the radiance of bounce order k and make layer k + 1.
 bool LineMethod::advance() {
     if (!frame_) return begin();
+    if (context_.options.field) {
+        show_field();
+        return false;
+    }
     if (projected_ == 0) {
         find_rooms();
         make_first_set();
@@ -57,6 +61,18 @@ bool LineMethod::advance() {
     if (context_.wanted(order_ + 2) && !converged()) return true;
     close_series();
     return false;
+}
+
+/// A field made elsewhere instead of sets: one projection-scatter of the light of all orders (thesis ch. 7, "fields made by another renderer").
+void LineMethod::show_field() {
+    const PencilField& field = *context_.options.field;
+    find_rooms();
+    free_space_->assume_share(field.free_share);
+    set_ = solver_->create_at(field_centres(field, context_.flat));
+    solver_->fill(set_, nullptr, context_.maps_emit, false, true);
+    add_field(field, context_.flat.normalisation.light, set_);
+    const double seconds = project_set();
+    frame_->finish_bounce(FilmLayers::indirect, field.count(), seconds);
 }
 
 /// Film and direct light.
@@ -104,13 +120,23 @@ PencilSet LineMethod::next_set(bool direct) {
 /// Adds the bounce that the set carries to the film.
 void LineMethod::project() {
     series_.add(sum_radiance(context_.kernels, set_));
+    if (context_.options.keep_field) {
+        if (!field_sum_) field_sum_ = std::make_unique<FieldSum>(set_, context_.flat, free_space_->share());
+        if (order_ > 0) field_sum_->add(set_, glm::dvec3(1.0));
+    }
+    const double seconds = project_set();
+    frame_->finish_bounce(order_ + 1, set_.maps->count, seconds);
+    context_.clock.set_fraction(progress());
+}
+
+/// Adds what the surfels of the film reflect of the set's light; takes so many seconds.
+double LineMethod::project_set() {
     const double seconds = context_.clock.run("projection-scatter", [&] {
         solver_->project(frame_->film().surfels(), set_, film_rays(context_.options, projected_), frame_->outgoing(), visible_,
                          "projection-scatter");
     });
     if (projected_++ == 0) count_blind();
-    frame_->finish_bounce(order_ + 1, set_.maps->count, seconds);
-    context_.clock.set_fraction(progress());
+    return seconds;
 }
 
 /// True if the tolerance ends the series; warns and ends a series that does not decrease.
@@ -155,12 +181,15 @@ void LineMethod::close_series() {
         context_.stats.residual = std::numeric_limits<double>::infinity();
         return;
     }
+    if (field_sum_) field_sum_->add(set_, series_.tail_factor());
     context_.stats.tail_closed = true;
     context_.stats.residual = frame_->layers().close_series(series_.tail_factor());
 }
 
 std::vector<Layer> LineMethod::snapshot() const { return frame_ ? frame_->snapshot() : std::vector<Layer>(); }
 std::vector<Layer> LineMethod::take() { return frame_ ? frame_->take_layers() : std::vector<Layer>(); }
+
+std::shared_ptr<PencilField> LineMethod::field() const { return field_sum_ ? std::make_shared<PencilField>(field_sum_->field()) : nullptr; }
 
 std::vector<std::string> LineMethod::explain() const {
     const RenderOptions& options = context_.options;
@@ -169,6 +198,8 @@ std::vector<std::string> LineMethod::explain() const {
                                        ? "iteration: one fixed set; its geometry maps and weights are made once"
                                        : "iteration: a new, smaller set for each bounce"};
     if (options.bounces == 1) lines.push_back("left out: all pencil sets that do not carry direct light (one reflection)");
+    if (options.field)
+        lines = {lines.front(), fmt::format("left out: transport between pencils; the light is that of a field of {}", options.pencils)};
     if (projected_ == 0) return lines;
     std::string rooms;
     for (int shape : free_space_->rooms()) rooms += (rooms.empty() ? "" : ", ") + context_.scene.shapes[static_cast<std::size_t>(shape)].id;

@@ -6,6 +6,7 @@
 #include "film/bounce_series.h"
 #include "film/frame.h"
 #include "film/method.h"
+#include "line/field_maps.h"
 #include "line/pencil_solver.h"
 
 namespace pencil {
@@ -23,13 +24,16 @@ public:
     std::vector<Layer> snapshot() const override;
     std::vector<Layer> take() override;
     std::vector<std::string> explain() const override;
+    std::shared_ptr<PencilField> field() const override;
 
 private:
     bool begin();
+    void show_field();
     void find_rooms();
     void make_first_set();
     PencilSet next_set(bool direct);
     void project();
+    double project_set();
     bool converged();
     double progress() const;
     void count_blind();
@@ -45,6 +49,7 @@ private:
     int order_ = 0;      // reflections, 0: emission
     int projected_ = 0;  // sets so far
     BounceSeries series_;
+    std::unique_ptr<FieldSum> field_sum_;  // of all sets but that of emission, if it is to be kept
 };
 
 }  // namespace pencil

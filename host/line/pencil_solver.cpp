@@ -13,6 +13,7 @@
 #include "line/store_radiance.h"
 #include "line/sum_radiance.h"
 #include "line/test_visibility.h"
+#include "visibility/geometry_maps.h"
 
 namespace pencil {
 
@@ -50,6 +51,12 @@ PencilSet PencilSolver::create(int index, const PencilSet* source, bool emission
         set = PencilSet(kernels_.device(), free_space_.create(kernels_, candidates_, set_size(options_, index), index, power));
     });
     return set;
+}
+
+PencilSet PencilSolver::create_at(const std::vector<float4>& centres) {
+    auto maps = std::make_shared<GeometryMaps>(kernels_.device(), centres, options_.map, "pencil");
+    times_.maps += clock_.run("pencil maps", [&] { make_geometry_maps(kernels_, scene_, *maps, 0, maps->count); });
+    return PencilSet(kernels_.device(), std::move(maps));
 }
 
 /// Mean radiance of maps that are not kept.

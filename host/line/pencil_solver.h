@@ -28,6 +28,9 @@ public:
     /// light that the set is to carry, on which its centres may depend.
     PencilSet create(int index, const PencilSet* source, bool emission, bool direct);
 
+    /// Geometry maps of given centres [scene units].
+    PencilSet create_at(const std::vector<float4>& centres);
+
     /// What the texels of `target` send to their centres, which becomes its radiance: emission that the maps carry (`emission`), reflected
     /// direct light (`direct`), and the radiance of `source` after one more bounce (if not null; thesis alg. 6.3). With `weights` the
     /// quadrature weights of its texels are made too (alg. 6.1), where the form needs any.

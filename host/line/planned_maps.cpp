@@ -41,7 +41,7 @@ std::vector<MapBatch> planned_maps(const Scene& scene, const std::vector<LightFo
     if (options.bounces == 0) return batches;
     if (!scene.point_lights.empty() || any_emitter(scene, forms, LightForm::samples))
         batches.push_back({options.light_samples, light_map_size(options.map)});
-    const int sets = planned_sets(options, any_emitter(scene, forms, LightForm::maps));
+    const int sets = options.field ? 1 : planned_sets(options, any_emitter(scene, forms, LightForm::maps));
     int pencils = 1;  // the camera's map finds rooms
     for (int index = 0; index < sets; ++index) pencils += set_size(options, index);
     if (sets > 0) batches.push_back({pencils, options.map});

@@ -50,7 +50,9 @@ Option pencils_row(int& pencils) {
     return row;
 }
 
-Option map_row(int& map) {
+}  // namespace
+
+Option map_option(int& map) {
     Option row = integer_option("--map", map, map_step, largest_map, "Width of a pencil's octahedral map in texels, a multiple of 8");
     row.read = [&map, read = row.read](const std::string& text) {
         read(text);
@@ -58,6 +60,8 @@ Option map_row(int& map) {
     };
     return row;
 }
+
+namespace {
 
 std::string mixture_text(const std::vector<Placement>& mixture) {
     std::string text;
@@ -146,7 +150,7 @@ std::vector<Option> render_option_table(RenderOptions& o) {
                        "Reflections at most: 0 emission only, 1 direct light only; auto: until --tolerance"),
         real_option("--tolerance", o.tolerance, 0, false, 1,
                     "Stop when a bounce adds less than this share; the rest is estimated and reported"),
-        only({line, hybrid}, map_row(o.map)),
+        only({line, hybrid}, map_option(o.map)),
         integer_option("--light-samples", o.light_samples, 1, many, "Point samples over all emitters"),
         word_option("--initial", o.initial, initials,
                     "Direct light from light samples, or from maps that carry emitted light; auto decides per emitter"),

@@ -19,6 +19,8 @@ std::string spelled(const OptionValue& value);
 void check_options(RenderOptions options);
 
 /// Words of the command line.
+/// --map, the width of octahedral maps.
+Option map_option(int& map);
 std::string to_string(MethodName method);
 
 }  // namespace pencil

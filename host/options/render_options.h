@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "options/layer.h"
+#include "options/pencil_field.h"
 
 namespace pencil {
 
@@ -32,6 +34,8 @@ struct RenderOptions {
     std::vector<Placement> placement{Placement::lds};  // line: a mixture, in turn
     Weights weights = Weights::dpdf;                   // line
     Iterate iterate = Iterate::sets;                   // line
+    std::shared_ptr<const PencilField> field;          // line, hybrid: its light instead of the sets', which are not made
+    bool keep_field = false;                           // line, hybrid: RenderResult::field
     int rays = 64;                                     // hybrid: of each surfel of the film
     double seconds = 0;                                // surface: passes until then, 0: until target_error
     double target_error = target_of_scene;             // surface: estimated relMSE at which to stop

@@ -5,10 +5,12 @@
 #include <functional>
 #include <glm/vec3.hpp>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "options/layer.h"
+#include "options/pencil_field.h"
 #include "util/launch_times.h"
 
 namespace pencil {
@@ -73,8 +75,9 @@ struct RenderResult {
     int width = 0, height = 0;
     std::vector<Layer> layers;  // beauty first
     RenderStats stats;
-    bool interrupted = false;  // stopped early: the layers hold what was finished
-    std::string failure;       // so they do where the device failed, as this says
+    std::shared_ptr<PencilField> field;  // the light of all orders in the maps of one fixed set, if it was to be kept
+    bool interrupted = false;            // stopped early: the layers hold what was finished
+    std::string failure;                 // so they do where the device failed, as this says
 };
 
 /// Called between launches; `fraction` in [0, 1] of the whole. Return false to stop early.

@@ -11,6 +11,7 @@
 #include "options/scale_light.h"
 #include "reference/camera_rays.h"
 #include "reference/film_sums.h"
+#include "reference/pencil_rays.h"
 #include "reference/sample_plan.h"
 #include "reference/sensor_receivers.h"
 #include "util/error.h"
@@ -47,6 +48,10 @@ ReferenceOptions resolved(ReferenceOptions options, const Scene& scene) {
     if (!scene.sensor_points.empty()) {
         options.width = static_cast<int>(scene.sensor_points.size());
         options.height = 1;
+    }
+    if (options.field) {
+        options.width = options.field->width();
+        options.height = options.field->height();
     }
     if (options.width <= 0) options.width = crop ? sensor.crop_width : sensor.width;
     if (options.height <= 0) options.height = crop ? sensor.crop_height : sensor.height;
@@ -148,6 +153,11 @@ private:
             Sampler sampler(seed, static_cast<std::uint32_t>(pass.first + s));
             if (!sensors_.empty()) {
                 integrator_.trace_receiver(sensors_.at(index(x, y), sampler), 1.0F, sampler, paths);
+                continue;
+            }
+            if (options_.field) {
+                const Ray ray = pencil_ray(*options_.field, scene_, x, y, sampler);
+                integrator_.trace(ray, ray.length > 0, 1.0F, sampler, paths, nullptr);
                 continue;
             }
             const CameraRays::Sample camera = camera_.sample(x, y, sampler);

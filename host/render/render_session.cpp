@@ -151,6 +151,7 @@ RenderResult RenderSession::finish() {
     ended_ = true;
     RenderResult result;
     result.stats = stats();
+    result.field = method_->field();
     result.layers = method_->take();
     const std::vector<std::string> warnings = scale_light(context_->flat.normalisation.light, result.layers);
     result.stats.warnings.insert(result.stats.warnings.end(), warnings.begin(), warnings.end());

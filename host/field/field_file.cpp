@@ -1,0 +1,93 @@
+#include "field/field_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <sstream>
+
+#include "image/read_image.h"
+#include "image/write_image.h"
+#include "util/error.h"
+
+namespace pencil {
+
+namespace {
+
+constexpr const char *centres_key = "pencil:centres", *map_key = "pencil:map", *share_key = "pencil:freeShare", *from_key = "pencil:from";
+constexpr int map_step = 8, largest_map = 1024;
+constexpr std::size_t most_pencils = 1 << 16;
+constexpr double largest_coordinate = 1e30;
+
+[[noreturn]] void no_field(const std::filesystem::path& path, const std::string& why) {
+    throw SceneError(path.string(), "no field of pencils: " + why + "; `pencil bake` writes one");
+}
+
+const std::string& header(const Image& image, const std::string& key, const std::filesystem::path& path) {
+    const auto found = image.metadata.find(key);
+    if (found == image.metadata.end()) no_field(path, "its header has no " + key);
+    return found->second;
+}
+
+double number(const Image& image, const std::string& key, double low, double high, const std::filesystem::path& path) {
+    std::istringstream text(header(image, key, path));
+    double value = 0;
+    if (!(text >> value) || !(value >= low && value <= high))
+        no_field(path, key + " is not from " + fmt::format("{:g} to {:g}", low, high));
+    return value;
+}
+
+std::vector<glm::dvec3> read_centres(const Image& image, const std::filesystem::path& path) {
+    std::istringstream text(header(image, centres_key, path));
+    std::vector<glm::dvec3> centres;
+    for (glm::dvec3 c; text >> c.x >> c.y >> c.z;) {
+        const glm::dvec3 size = glm::abs(c);
+        if (!(std::max({size.x, size.y, size.z}) <= largest_coordinate))
+            no_field(path, fmt::format("centre {} is not finite", centres.size()));
+        if (centres.size() == most_pencils) no_field(path, fmt::format("it has more than {} pencils", most_pencils));
+        centres.push_back(c);
+    }
+    if (!text.eof() || centres.empty()) no_field(path, "its centres are no list of x y z");
+    return centres;
+}
+
+}  // namespace
+
+void write_field(const std::filesystem::path& path, const PencilField& field, const std::string& from) {
+    std::string centres;
+    for (const glm::dvec3& c : field.centres)
+        centres += fmt::format("{}{:.17g} {:.17g} {:.17g}", centres.empty() ? "" : " ", c.x, c.y, c.z);
+    const LayeredImage image{field.width(), field.height(), {{"", 3, field.light.data()}}};
+    write_image(path, image, {{centres_key, centres}, {map_key, field.map}, {share_key, field.free_share}, {from_key, from}});
+}
+
+PencilField read_field(const std::filesystem::path& path) {
+    const Image image = read_image(path);
+    PencilField field;
+    field.map = static_cast<int>(number(image, map_key, map_step, largest_map, path));
+    if (field.map % map_step != 0) no_field(path, fmt::format("{} is not a multiple of {}", map_key, map_step));
+    field.free_share = number(image, share_key, 0, 1, path);
+    field.centres = read_centres(image, path);
+    if (image.width != field.width() || image.height != field.height())
+        no_field(path, fmt::format("{} maps of {} texels make an image of {}x{}, it has {}x{}", field.count(), field.map, field.width(),
+                                   field.height(), image.width, image.height));
+    std::size_t channels[3];
+    for (std::size_t c = 0; c < 3; ++c) {
+        const std::string name(1, "RGB"[c]);
+        const auto found = std::find(image.channels.begin(), image.channels.end(), name);
+        if (found == image.channels.end()) no_field(path, "it has no channel " + name);
+        channels[c] = static_cast<std::size_t>(found - image.channels.begin());
+    }
+    const std::size_t pixels = image.pixels.size() / image.channels.size();
+    field.light.resize(3 * pixels);
+    for (std::size_t i = 0; i < pixels; ++i)
+        for (std::size_t c = 0; c < 3; ++c) {
+            const float value = image.pixels[i * image.channels.size() + channels[c]];
+            if (!(value >= 0 && std::isfinite(value))) no_field(path, fmt::format("pixel {} is no amount of light", i));
+            field.light[3 * i + c] = value;
+        }
+    return field;
+}
+
+}  // namespace pencil

@@ -1,0 +1,113 @@
+// Fields of pencils: light made by one method, shown by another, and the same light whoever made it.
+#include "reference/path_tracer.h"
+#include "scenes/known_scenes.h"
+#include "scenes/scene_builder.h"
+#include "util/error.h"
+
+namespace pencil::test {
+namespace {
+
+/// A lit room whose walls differ in colour, so that no mirrored map would pass.
+Scene coloured_room() {
+    Scene scene;
+    const glm::vec3 colours[6] = {{0.8F, 0.1F, 0.1F}, {0.1F, 0.8F, 0.1F}, {0.2F, 0.2F, 0.8F},
+                                  {0.7F, 0.7F, 0.2F}, {0.2F, 0.7F, 0.7F}, {0.6F, 0.3F, 0.6F}};
+    for (int wall = 0; wall < 6; ++wall) add_wall(scene, wall, {0, 0, 0}, {1, 1, 1}, {colours[wall], glm::vec3(0.0F), false});
+    scene.point_lights.push_back({{0.3, 0.8, 0.6}, glm::vec3(1.0F)});
+    look_at(scene, {0.9, 0.5, 0.1}, {0.1, 0.4, 0.9}, {0, 1, 0}, 70.0, 32, 32);
+    return scene;
+}
+
+RenderOptions field_options() {
+    RenderOptions options = line_options();
+    options.method = MethodName::hybrid;
+    options.iterate = Iterate::fixed;
+    options.pencils = 24;
+    options.map = 16;
+    options.width = options.height = 32;
+    options.aovs = {};
+    options.keep_field = true;
+    return options;
+}
+
+dvec3 mean_of_all(const std::vector<float>& rgb) {
+    dvec3 sum(0.0);
+    for (std::size_t i = 0; i < rgb.size(); ++i) sum[static_cast<int>(i % 3)] += rgb[i] * 3.0 / static_cast<double>(rgb.size());
+    return sum;
+}
+
+TEST(Field, ShowsTheLightOfTheSetThatItWasMadeFrom) {
+    const Scene scene = coloured_room();
+    const RenderResult made = render(scene, field_options(), device());
+    ASSERT_TRUE(made.field);
+    EXPECT_EQ(made.field->count(), 24);
+    RenderOptions options = field_options();
+    options.keep_field = false;
+    options.field = made.field;
+    const RenderResult shown = render(scene, options, device());
+    EXPECT_FALSE(shown.field);
+    const dvec3 ratio = mean_of_all(shown.layers.front().pixels) / mean_of_all(made.layers.front().pixels);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(ratio[c], 1.0, 0.02) << "other rays, the same light";
+}
+
+TEST(Field, LightPathsAndPencilsFillTheSameTexels) {
+    const Scene scene = coloured_room();
+    RenderOptions options = field_options();
+    options.pencils = 4;
+    const RenderResult made = render(scene, options, device());
+    ASSERT_TRUE(made.field);
+    ReferenceOptions paths;
+    paths.field = made.field;
+    paths.spp = 256;
+    paths.bounces = true;
+    const ReferenceResult traced = trace_paths(scene, paths);
+    ASSERT_EQ(traced.width, made.field->width());
+    const std::vector<float>&a = traced.layers.front().pixels, &b = made.field->light;
+    ASSERT_EQ(a.size(), b.size());
+    double square = 0.0, difference = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        square += static_cast<double>(a[i]) * a[i];
+        difference += static_cast<double>(a[i] - b[i]) * (a[i] - b[i]);
+    }
+    std::printf("root mean square of the difference of texels, relative: %.3f\n", std::sqrt(difference / square));
+    EXPECT_LT(difference, 0.02 * square) << "a turned or mirrored map differs by about as much as it holds";
+    const dvec3 ratio = mean_of_all(b) / mean_of_all(a);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(ratio[c], 1.0, 0.04);
+}
+
+TEST(Field, IsShownFromAnyCameraAndByEveryFormOfWeights) {
+    Scene scene = coloured_room();
+    const RenderResult made = render(scene, field_options(), device());
+    look_at(scene, {0.1, 0.2, 0.1}, {0.9, 0.6, 0.9}, {0, 1, 0}, 80.0, 24, 24);
+    ReferenceOptions reference;
+    reference.spp = 512;
+    reference.width = reference.height = 24;
+    const dvec3 truth = mean_of_all(trace_paths(scene, reference).layers.front().pixels);
+    const auto ratio = [&](MethodName method, Weights weights) {
+        RenderOptions options = field_options();
+        options.keep_field = false;
+        options.field = made.field;
+        options.method = method;
+        options.weights = weights;
+        options.width = options.height = 24;
+        return mean_of_all(render(scene, options, device()).layers.front().pixels) / truth;
+    };
+    const dvec3 hybrid = ratio(MethodName::hybrid, Weights::dpdf);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(hybrid[c], 1.0, 0.04);
+    for (const Weights weights : {Weights::dpdf, Weights::voronoi, Weights::analytic}) {
+        const dvec3 line = ratio(MethodName::line, weights);
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(line[c], 1.0, 0.25) << "lines lose the light of near walls";
+    }
+}
+
+TEST(Field, OfAnotherSceneIsRefused) {
+    const RenderResult made = render(coloured_room(), field_options(), device());
+    auto moved = std::make_shared<PencilField>(*made.field);
+    moved->centres[3].y = 2.0;
+    RenderOptions options = field_options();
+    options.field = moved;
+    EXPECT_THROW(render(coloured_room(), options, device()), UsageError);
+}
+
+}  // namespace
+}  // namespace pencil::test
