@@ -15,7 +15,7 @@
 ///          tiles, where weights are cells; rays[ray_count][RAY_FIELDS][ray_capacity]: of the surfels from first_surfel on, and
 ///          volume, in which centres are uniform, for PENCIL_WEIGHTS_POWER only
 /// out    : outgoing[3][capacity] [W m^-2 sr^-1], added to if `accumulate`; visible[capacity]: number of pencils that each surfel sees
-/// needs  : radiance and hits folded. A surfel that sees no pencil receives nothing.
+/// needs  : radiance and hits folded. A surfel that sees no pencil, and has no ray, receives nothing.
 /// E = pi sum(L w) / sum(w), w = cos/D or the cosine-weighted solid angle of a cell. DEVIATION: eq. (5.33)'s normaliser does not tend to
 /// the integral. PENCIL_WEIGHTS_THESIS: the printed form, E = 2 pi / n_v^2 * sum(D) * sum(L cos/D), n_v pencils visible.
 kernel void project_pencils(global const float *surfels, int capacity, int first_surfel, int surfel_count, global const float4 *cops,

@@ -40,6 +40,7 @@ bool trace_light(const Scene& scene, const BakeCommand& command, const Reference
     ReferenceOptions options = command.paths;
     options.field = std::make_shared<PencilField>(field);
     options.bounces = true;
+    if (scene.max_depth > 1) options.max_depth = scene.max_depth - 1;  // the film reflects once more
     options.seed = command.options.seed;
     const ReferenceResult result = trace_paths(scene, options, progress);
     for (const std::string& warning : result.warnings) print_warning(warning);
@@ -67,6 +68,7 @@ ExitCode run_bake(const BakeCommand& command) {
     };
     RenderResult result = render(scene, bake_options(command, scene), Device::open(command.device), progress);
     for (const std::string& warning : result.stats.warnings) print_warning(warning);
+    if (!result.failure.empty() && interrupted_by() == 0) throw DeviceError(result.failure);
     bool whole = result.field && !result.interrupted;
     if (whole && command.from == BakeFrom::reference) whole = trace_light(scene, command, progress, *result.field);
     if (!whole && interrupted_by() != 0) {

@@ -93,6 +93,8 @@ std::vector<std::filesystem::path> write_layers(RunReport& report, const RenderR
 RenderOptions with_field(const RenderCommand& command) {
     RenderOptions options = command.options;
     if (command.field.empty()) return options;
+    for (const std::filesystem::path& output : command.outputs)
+        if (same_file(output, command.field)) throw OutputError("cannot write " + output.string() + ": it is the --field");
     options.field = std::make_shared<PencilField>(read_field(command.field));
     options.pencils = options.field->count();
     options.map = options.field->map;

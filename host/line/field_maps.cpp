@@ -14,6 +14,8 @@ namespace {
 
 /// Centres may lie outside by so much of the box: rounding.
 constexpr double slack = 1e-4;
+/// What a hostile file may hold of light, on the device: sums of it are finite.
+constexpr double most_light = 1e30;
 
 /// oct_fold_texel of kernels/lib/octahedral.cl.
 glm::ivec2 folded(glm::ivec2 t, int n) {
@@ -62,7 +64,7 @@ void add_field(const PencilField& field, double unit, PencilSet& set) {
                 const glm::ivec2 seen = antipode(folded({x, y}, n), n);
                 const float* light = &field.light[field.index(tile, seen.x, seen.y)];
                 float4& texel = radiance[atlas_index(tile, {x, y}, n)];
-                for (int c = 0; c < 3; ++c) texel[c] += static_cast<float>(light[c] / unit);
+                for (int c = 0; c < 3; ++c) texel[c] += static_cast<float>(std::min(light[c] / unit, most_light));
             }
     set.radiance.write(radiance);
 }

@@ -21,6 +21,11 @@ constexpr int most_bounces = 512;
 /// Surfels that no pencil sees are worth a warning above this share.
 constexpr std::size_t blind_share = 100;
 
+/// Directions that a surfel of the film may have at most.
+int sites_of_cells(const RenderOptions& options) {
+    return options.pencils + (weights_need_rays(kernel_weights(options)) ? film_rays(options, 0).count() : 0);
+}
+
 }  // namespace
 
 MethodNeeds line_needs(const Scene& scene, const std::vector<LightForm>& forms, const RenderOptions& options) {
@@ -38,7 +43,7 @@ MethodNeeds line_needs(const Scene& scene, const std::vector<LightForm>& forms, 
     needs.maps = planned_maps(scene, forms, options);
     needs.hierarchy = follows_rays(options.placement) || weights_need_rays(form);
     needs.weights = form;
-    needs.cell_grid = weights_are_cells(form) ? largest_cell_grid(options.pencils) : 0;
+    needs.cell_grid = weights_are_cells(form) ? largest_cell_grid(sites_of_cells(options)) : 0;
     return needs;
 }
 
@@ -169,6 +174,7 @@ void LineMethod::count_blind() {
     RenderStats& stats = context_.stats;
     const std::vector<int> visible = visible_.read(0, static_cast<std::size_t>(frame_->film().surfels().count));
     stats.blind_surfels = static_cast<std::uint64_t>(std::count(visible.begin(), visible.end(), 0));
+    if (weights_need_rays(context_.kernels.features().weights)) return;  // the others have their rays
     if (stats.blind_surfels > visible.size() / blind_share)
         stats.warnings.push_back(fmt::format("{} of {} film surfels are seen by no pencil and get no indirect light; use more --pencils",
                                              stats.blind_surfels, visible.size()));
@@ -193,7 +199,7 @@ std::shared_ptr<PencilField> LineMethod::field() const { return field_sum_ ? std
 
 std::vector<std::string> LineMethod::explain() const {
     const RenderOptions& options = context_.options;
-    std::vector<std::string> lines{explain_weights(context_.kernels.features().weights, cell_grid(options.pencils)),
+    std::vector<std::string> lines{explain_weights(context_.kernels.features().weights, cell_grid(sites_of_cells(options))),
                                    options.iterate == Iterate::fixed
                                        ? "iteration: one fixed set; its geometry maps and weights are made once"
                                        : "iteration: a new, smaller set for each bounce"};

@@ -33,13 +33,11 @@ RayChoice map_rays(const RenderOptions& options, int index) {
     return choose_rays(options, (options.rays + film_to_map - 1) / film_to_map, index);
 }
 
-int ray_stretch(const RayChoice& choice) {
-    return std::max(launch_rays / (choice.side * choice.side) / surfel_multiple, 1) * surfel_multiple;
-}
+int ray_stretch(const RayChoice& choice) { return std::max(launch_rays / choice.count() / surfel_multiple, 1) * surfel_multiple; }
 
 void project_rays(Kernels& kernels, const DeviceScene& scene, const Surfels& surfels, int first, int end, const PencilSet& source,
                   const CentreSpace& space, const RayChoice& choice, SurfelRays& rays) {
-    rays.count = choice.side * choice.side;
+    rays.count = choice.count();
     rays.capacity = ray_stretch(choice);
     const std::size_t floats =
         static_cast<std::size_t>(rays.count) * static_cast<std::size_t>(rays.capacity) * static_cast<std::size_t>(RAY_FIELDS);

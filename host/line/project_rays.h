@@ -13,6 +13,8 @@ namespace pencil {
 
 /// Which rays: side^2 of each surfel, random by `seed` and the surfel's number from `first_key`.
 struct RayChoice {
+    int count() const { return side * side; }
+
     int side = 0;
     std::uint32_t seed = 0;
     int first_key = 0;

@@ -49,14 +49,14 @@ std::string explain_weights(int form, int grid) {
     return "weights: self-normalised 1/D, beta from the number of visible pencils";
 }
 
-int cell_grid(int pencils) {
-    constexpr int directions_per_pencil = 4, width = 4, smallest = 8, largest = 48;
-    const double root = std::sqrt(static_cast<double>(directions_per_pencil) * pencils);
+int cell_grid(int sites) {
+    constexpr int directions_per_site = 4, width = 4, smallest = 8, largest = 48;
+    const double root = std::sqrt(static_cast<double>(directions_per_site) * sites);
     return std::clamp(width * static_cast<int>(std::ceil(root / width)), smallest, largest);
 }
 
-int largest_cell_grid(int pencils) {
-    const int grid = cell_grid(pencils);
+int largest_cell_grid(int sites) {
+    const int grid = cell_grid(sites);
     return grid <= 24 ? 24 : 48;
 }
 
@@ -64,9 +64,9 @@ WeightTables::WeightTables(Kernels& kernels) : kernels_(kernels) {
     rays_.data = Buffer<float>(kernels.device(), std::vector<float>(), "light of rays");
 }
 
-const CellTable& WeightTables::cells(int pencils) {
+const CellTable& WeightTables::cells(int sites) {
     const bool cells = weights_are_cells(kernels_.features().weights);
-    const int grid = cells ? std::min(cell_grid(pencils), kernels_.features().cell_grid) : 0;
+    const int grid = cells ? std::min(cell_grid(sites), kernels_.features().cell_grid) : 0;
     CellTable& table = cells_[grid];
     if (!table.directions.allocated()) {
         table.directions = Buffer<float4>(kernels_.device(), cells ? cell_directions(grid) : std::vector<float4>(), "cell directions");

@@ -35,10 +35,10 @@ inline bool weights_need_rays(int form) { return form == PENCIL_WEIGHTS_POWER; }
 /// One sentence for --explain.
 std::string explain_weights(int form, int grid);
 
-/// Root of the number of directions that sample the Voronoi cells of so many pencils, a multiple of 4.
-int cell_grid(int pencils);
+/// Root of the number of directions that sample the cells of so many pencils and rays, a multiple of 4.
+int cell_grid(int sites);
 /// The largest of a render whose first set has so many pencils. Takes few values: each is a build of the kernels.
-int largest_cell_grid(int pencils);
+int largest_cell_grid(int sites);
 
 /// Directions that sample cells, CellDirections of kernels/lib/cells.cl.
 struct CellTable {
@@ -64,8 +64,8 @@ struct SurfelRays {
 class WeightTables {
 public:
     explicit WeightTables(Kernels& kernels);
-    /// For a set of so many pencils; empty where the form needs none.
-    const CellTable& cells(int pencils);
+    /// For so many pencils and rays of a surfel; empty where the form needs none.
+    const CellTable& cells(int sites);
     /// Of surfels that are projected to next; empty where the form sends no rays.
     SurfelRays& rays() { return rays_; }
 

@@ -20,19 +20,25 @@
 /// Distances are at most 2 and CELL_OFFSET. Below the horizon of a lane lies what it does not see, farther than anything.
 #define CELL_NONE 8.0f
 #define CELL_UNSEEN (-1e6f)
-/// Keeps distances positive whatever rounding does and radii are, so that they are ordered as their bits are.
+/// Keeps distances positive whatever rounding does and radii are, so that they are ordered as their bits are. No more than that: the lowest bits
+/// of distances hold numbers of sites.
 #if PENCIL_WEIGHTS == PENCIL_WEIGHTS_POWER
-#define CELL_OFFSET (1.0f + 4e-6f + 0.5f * MOST_CELLS)
+#define CELL_OFFSET(rays) (1.0f + 4e-6f + 0.5f * MOST_CELLS / (rays))
 #else
-#define CELL_OFFSET (1.0f + 4e-6f)
+#define CELL_OFFSET(rays) (1.0f + 4e-6f)
 #endif
 /// Rounding error of cosines.
+#if PENCIL_WEIGHTS == PENCIL_WEIGHTS_POWER
+#define CELL_SLACK 1e-3f  // bounds of tiles take roots of them
+#else
 #define CELL_SLACK 1e-5f
+#endif
 
 /// The cells of one packet.
 typedef struct Cells {
     vfloat tx, ty, tz, bx, by, bz;  // tangents of the surfels
     vint nearest[CELL_SAMPLES];     // bits of the distance to the nearest site, its number in the lowest of them
+    float offset;                   // CELL_OFFSET
     vfloat centre[CELL_TILES];      // what is known of the distance to the nearest site: approach_cells
     vfloat reach[CELL_TILES];       // sites farther from a tile than this are not the nearest to any of its directions
 } Cells;
@@ -46,7 +52,7 @@ typedef struct CellDirections {
 /// A direction in the frames of a packet of surfels.
 typedef struct Site {
     vfloat x, y, z;
-    vfloat offset;  // of distances: CELL_OFFSET less the radius
+    vfloat offset;  // of distances: Cells::offset less the radius
 } Site;
 
 static inline vfloat site_distance(float4 direction, const Site *s) {
@@ -54,7 +60,8 @@ static inline vfloat site_distance(float4 direction, const Site *s) {
 }
 
 /// Tangents without a branch that jumps (Duff et al. 2017); nothing near yet.
-static inline void begin_cells(const SurfelPacket *s, const CellDirections *directions, Cells *cells) {
+static inline void begin_cells(const SurfelPacket *s, const CellDirections *directions, int rays, Cells *cells) {
+    cells->offset = CELL_OFFSET(rays);
     vfloat side = copysign((vfloat)(1.0f), s->nz), k = -1.0f / (side + s->nz), m = s->nx * s->ny * k;
     cells->tx = fma(side * s->nx * s->nx, k, (vfloat)(1.0f));
     cells->ty = side * m;
@@ -76,7 +83,7 @@ static inline Site cell_site(const SurfelPacket *s, const Cells *cells, float4 c
     site.x = scale * fma(cells->tx, vx, fma(cells->ty, vy, cells->tz * vz));
     site.y = scale * fma(cells->bx, vx, fma(cells->by, vy, cells->bz * vz));
     site.z = select((vfloat)(CELL_UNSEEN), scale * fma(s->nx, vx, fma(s->ny, vy, s->nz * vz)), seen);
-    site.offset = CELL_OFFSET - radius;
+    site.offset = cells->offset - radius;
     return site;
 }
 

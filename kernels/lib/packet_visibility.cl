@@ -54,17 +54,19 @@ static inline int packet_meets_triangle(const SurfelPacket *s, global const Tria
     return PACKET_BITS(PACKET_MASK(fmin(fmin(in_ab, in_bc), in_ca) >= 0.0f));
 }
 
-/// Those of `lanes` whose segment from `cop` crosses triangle `index` or one of its mates in front of the surfel.
+/// Those of `lanes` whose segment from `cop` crosses a triangle of the group that begins with triangle `index` in front of the surfel. The group
+/// holds the mates, on both sides, of one that the footprint shows: it ends where the mates of the first one's last mate do, at the latest.
 static inline int packet_crosses(const SurfelPacket *s, const VisibilityMap *map, int index, float4 cop, int lanes) {
-    global const Triangle *triangle = map->triangles + index;
-    float4 plane = map->planes[triangle->plane];
+    global const Triangle *first = map->triangles + index;
+    float4 plane = map->planes[first->plane];
     float ahead = plane_ahead(plane, cop);
     lanes &= packet_behind(s, plane, cop);
     if (ahead == 0.0f || !lanes) return 0;
-    int crosses = 0;
+    int last = MATES_AFTER(first->mates), crosses = 0;
+    last += MATES_AFTER(first[last].mates);
 #pragma unroll 1
-    for (int t = -MATES_BEFORE(triangle->mates); t <= MATES_AFTER(triangle->mates); ++t)
-        crosses |= packet_meets_triangle(s, triangle + t, cop, ahead > 0.0f ? 1.0f : -1.0f);
+    for (int t = 0; t <= last && (crosses & lanes) != lanes; ++t)
+        crosses |= packet_meets_triangle(s, first + t, cop, ahead > 0.0f ? 1.0f : -1.0f);
     return crosses & lanes;
 }
 

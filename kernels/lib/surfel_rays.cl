@@ -15,7 +15,7 @@ static inline Site ray_site(const SurfelRays *rays, int k, int p) {
     site.y = PACKET_LOAD(r + (size_t)RAY_BITANGENT * rays->capacity);
     vfloat z = sqrt(fmax(fma(-site.x, site.x, fma(-site.y, site.y, (vfloat)(1.0f))), (vfloat)(0.0f)));
     site.z = select((vfloat)(CELL_UNSEEN), z, PACKET_MASK(radius >= 0.0f));
-    site.offset = CELL_OFFSET - fmax(radius, (vfloat)(0.0f));
+    site.offset = CELL_OFFSET(rays->count) - fmax(radius, (vfloat)(0.0f));
     return site;
 }
 

@@ -127,7 +127,7 @@ static inline void sum_pencils(const SurfelPacket *packets, const VisibilityMap 
     Cells cells[PENCIL_BLOCK];
     int numbers = (int)(0xffffffffu >> clz(pencil_count + rays->count));  // all ones is no site's number
     CellDirections table = {directions, directions + tiles, tiles, numbers};
-    for (int p = 0; p < PENCIL_BLOCK; ++p) begin_cells(packets + p, &table, cells + p);
+    for (int p = 0; p < PENCIL_BLOCK; ++p) begin_cells(packets + p, &table, rays->count, cells + p);
     if (PENCIL_WEIGHTS == PENCIL_WEIGHTS_POWER) offer_rays(rays, pencil_count, &table, cells);
     for (int first = 0; first < pencil_count; first += CELL_CHUNK) {
         PencilChunk chunk = {cops, radiance, pencil_count, first, min(first + CELL_CHUNK, pencil_count)};

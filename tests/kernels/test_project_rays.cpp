@@ -30,7 +30,7 @@ struct RayScene {
         Random random(seed);
         Features features;
         features.weights = PENCIL_WEIGHTS_POWER;
-        features.cell_grid = largest_cell_grid(pencils);
+        features.cell_grid = largest_cell_grid(pencils + ray_count);
         Kernels kernels(device(), features);
         const DeviceScene on_device(device(), scene.flat, build_bvh(scene.flat.triangles));
         centres = random_centres(random, pencils, 0.6);
@@ -161,7 +161,7 @@ std::vector<ref::PowerSite> sites_of(const RayScene& s, int i) {
 
 TEST(ProjectRays, CellsOfLinesAndRaysAreThoseOfAPowerDiagram) {
     const RayScene s(box_scene(134), 40, 256, 4);
-    const int grid = cell_grid(static_cast<int>(s.centres.size()));
+    const int grid = cell_grid(static_cast<int>(s.centres.size()) + ray_count);
     const std::vector<float4> table = cell_directions(grid);
     double doubt = 0.0, sum = 0.0;
     int wrong = 0;

@@ -64,7 +64,9 @@ unsigned crosses(const SurfelVectors& s, const TileView& tile, int first, unsign
     if (lanes == 0 || ahead == 0.0F) return 0;
     const vfloat vx = s.x - tile.cop[0], vy = s.y - tile.cop[1], vz = s.z - tile.cop[2];
     unsigned crossing = 0;
-    for (int k = 0; k <= t->mates >> 8; ++k) crossing |= meets_triangle(tile, t[k], ahead > 0.0F ? 1.0F : -1.0F, vx, vy, vz);
+    int last = t->mates >> 8;
+    last += t[last].mates >> 8;
+    for (int k = 0; k <= last; ++k) crossing |= meets_triangle(tile, t[k], ahead > 0.0F ? 1.0F : -1.0F, vx, vy, vz);
     return crossing & lanes;
 }
 
