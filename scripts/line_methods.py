@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Compares the forms of the line method with light paths: error, mean, orders of bounces, and the front of the Cornell box' short block.
 
-    scripts/line_methods.py build/release/pencil [--seeds 3] [--reference-time 60] [--keep DIR]
+    scripts/line_methods.py build/release/pencil [--forms weights] [--seeds 3] [--reference-time 60] [--keep DIR]
 
-Prints the table of docs/accuracy.md. Takes about 20 minutes with the defaults."""
+Prints a table of docs/accuracy.md: of --forms weights, or of iteration. Takes about 20 minutes with the defaults."""
 
 import argparse
 import json
@@ -17,9 +17,13 @@ import OpenImageIO
 
 SCENES = ("cornell-box", "two-rooms", "door-ajar")
 SIZE = 192
-FORMS = {"line, dpdf": "--method line", "line, voronoi": "--method line --weights voronoi",
-         "line, 512 pencils": "--method line --pencils 512", "hybrid, 16 rays": "--method hybrid --rays 16",
-         "hybrid": "--method hybrid", "hybrid, 16 pencils": "--method hybrid --pencils 16"}
+FORMS = {
+    "weights": {"line, dpdf": "--method line", "line, voronoi": "--method line --weights voronoi",
+                "line, 512 pencils": "--method line --pencils 512", "hybrid, 16 rays": "--method hybrid --rays 16",
+                "hybrid": "--method hybrid", "hybrid, 16 pencils": "--method hybrid --pencils 16"},
+    "iteration": {f"{name}, {iterate}": f"--method {flags} --iterate {iterate}"
+                  for name, flags in {"line, 1024 pencils": "line --pencils 1024 --map 32", "hybrid, 128 pencils": "hybrid"}.items()
+                  for iterate in ("sets", "fixed", "levels")}}
 FRONT = (0.70, 0.87, 0.53, 0.71)  # rows and columns of the block's front, as shares of the film
 LAST_ORDER = 10
 
@@ -52,7 +56,7 @@ def measure(scene, flags, seed, folder, reference):
     with open(stats, encoding="utf-8") as file:
         times = json.load(file)
     layers = compare(image, reference)
-    orders = [ratio for name, (_, ratio) in layers.items() if name != "beauty" and int(name[6:]) <= LAST_ORDER]
+    orders = [ratio for name, (_, ratio) in layers.items() if name != "beauty" and int(name[6:]) <= LAST_ORDER] or [numpy.nan]
     seconds = times["total_wall_seconds"] - times["kernel_build_seconds"]
     return (*layers["beauty"], min(orders), max(orders), red_front(image) / red_front(reference), seconds)
 
@@ -60,6 +64,7 @@ def measure(scene, flags, seed, folder, reference):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("pencil")
+    parser.add_argument("--forms", choices=FORMS, default="weights")
     parser.add_argument("--seeds", type=int, default=3)
     parser.add_argument("--reference-time", default="60")
     parser.add_argument("--keep")
@@ -75,11 +80,12 @@ def main():
             scene, reference = os.path.join(scenes, name + ".xml"), os.path.join(folder, name + "-truth.exr")
             if not os.path.exists(reference):
                 run(PENCIL, "reference", scene, "-o", reference, "--resolution", f"{SIZE}x{SIZE}", "--time", options.reference_time, "--quiet")
-            for form, flags in FORMS.items():
+            for form, flags in FORMS[options.forms].items():
                 rows = numpy.array([measure(scene, flags, seed, folder, reference) for seed in range(options.seeds)])
                 error, mean, _, _, front, seconds = rows.mean(axis=0)
                 front = f"{front:.2f}" if name == "cornell-box" else ""
-                print(f"| {name} | {form} | {error:.2g} | {mean:.3f} | {rows[:, 2].min():.2f} to {rows[:, 3].max():.2f} | {front} | "
+                orders = "" if numpy.isnan(rows[:, 2]).any() else f"{rows[:, 2].min():.2f} to {rows[:, 3].max():.2f}"
+                print(f"| {name} | {form} | {error:.2g} | {mean:.3f} | {orders} | {front} | "
                       f"{seconds:.1f} |", flush=True)
 
 

@@ -26,7 +26,7 @@ constexpr int finder_width = 64;
 RenderOptions bake_options(const BakeCommand& command, const Scene& scene) {
     RenderOptions options = command.options;
     options.method = command.from == BakeFrom::line ? MethodName::line : MethodName::hybrid;
-    options.iterate = Iterate::fixed;
+    options.iterate = Iterate::levels;
     options.keep_field = true;
     options.width = finder_width;
     options.height = std::max(finder_width * scene.sensor.height / std::max(scene.sensor.width, 1), 1);

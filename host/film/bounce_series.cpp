@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 namespace pencil {
 
+glm::dvec3 BounceSeries::sum() const { return std::accumulate(means_.begin(), means_.end(), glm::dvec3(0)); }
+
 double BounceSeries::last_share() const {
     if (means_.empty()) return 1.0;
-    glm::dvec3 sum(0);
-    for (const glm::dvec3& m : means_) sum += m;
+    const glm::dvec3 sum = this->sum();
     double share = 0;
     for (int c = 0; c < 3; ++c)
         if (sum[c] > 0) share = std::max(share, means_.back()[c] / sum[c]);
@@ -41,6 +44,15 @@ glm::dvec3 BounceSeries::ratio() const {
 glm::dvec3 BounceSeries::tail_factor() const {
     const glm::dvec3 r = ratio();
     return r / (glm::dvec3(1.0) - r);
+}
+
+double BounceSeries::tail_share() const {
+    if (means_.empty() || diverges()) return std::numeric_limits<double>::infinity();
+    const glm::dvec3 tail = tail_factor() * means_.back(), whole = sum() + tail;
+    double share = 0;
+    for (int c = 0; c < 3; ++c)
+        if (whole[c] > 0) share = std::max(share, tail[c] / whole[c]);
+    return share;
 }
 
 }  // namespace pencil

@@ -21,12 +21,16 @@ public:
     glm::dvec3 ratio() const;
     /// Sum of all orders that follow the last, relative to the last: r / (1 - r).
     glm::dvec3 tail_factor() const;
+    /// That, relative to the sum with it, largest channel.
+    double tail_share() const;
 
     static constexpr double largest_ratio = 0.999;
     static constexpr std::size_t growing_steps = 6;
     static constexpr double least_growth = 1.01;
 
 private:
+    glm::dvec3 sum() const;
+
     std::vector<glm::dvec3> means_;
 };
 

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <limits>
 
+#include "line/level_solver.h"
 #include "line/planned_maps.h"
 #include "line/project_pencils.h"
+#include "line/series_end.h"
 #include "line/sum_radiance.h"
 #include "line/weights.h"
 #include "util/error.h"
@@ -16,14 +18,24 @@ namespace pencil {
 
 namespace {
 
-/// Orders of bounces after which the series is closed by its tail whatever the tolerance.
-constexpr int most_bounces = 512;
 /// Surfels that no pencil sees are worth a warning above this share.
 constexpr std::size_t blind_share = 100;
 
 /// Directions that a surfel of the film may have at most.
 int sites_of_cells(const RenderOptions& options) {
     return options.pencils + (weights_need_rays(kernel_weights(options)) ? film_rays(options, 0).count() : 0);
+}
+
+std::string explain_iteration(const RenderOptions& options) {
+    switch (options.iterate) {
+        case Iterate::sets:
+            return "iteration: a new, smaller set for each bounce";
+        case Iterate::fixed:
+            return "iteration: one fixed set; its geometry maps and weights are made once";
+        case Iterate::levels:
+            break;
+    }
+    return fmt::format("iteration: levels of {} pencils; the last carries all late bounces", fmt::join(level_sizes(options.pencils), ", "));
 }
 
 }  // namespace
@@ -54,6 +66,10 @@ bool LineMethod::advance() {
         show_field();
         return false;
     }
+    if (context_.options.iterate == Iterate::levels) {
+        show_levels();
+        return false;
+    }
     if (projected_ == 0) {
         find_rooms();
         make_first_set();
@@ -63,7 +79,7 @@ bool LineMethod::advance() {
         ++order_;
     }
     project();
-    if (context_.wanted(order_ + 2) && !converged()) return true;
+    if (context_.wanted(order_ + 2) && !series_ended(series_, context_.options.tolerance, context_.stats)) return true;
     close_series();
     return false;
 }
@@ -78,6 +94,23 @@ void LineMethod::show_field() {
     add_field(field, context_.flat.normalisation.light, set_);
     const double seconds = project_set();
     frame_->finish_bounce(FilmLayers::indirect, field.count(), seconds);
+}
+
+/// The light of all orders in one set, by hierarchical iteration.
+void LineMethod::show_levels() {
+    find_rooms();
+    LevelSolver levels(context_, *solver_, frame_->lights().maps.count > 0,
+                       context_.options.bounces < 0 ? -1 : context_.options.bounces - 1);
+    set_ = levels.solve();
+    if (context_.options.keep_field) {
+        field_sum_ = std::make_unique<FieldSum>(set_, context_.flat, free_space_->share());
+        field_sum_->add(set_, glm::dvec3(1.0));
+    }
+    const double seconds = project_set();
+    frame_->finish_bounce(FilmLayers::indirect, set_.maps->count, seconds);
+    if (context_.options.bounces >= 0 || levels.series().steps() <= 1) return;
+    context_.stats.tail_closed = !levels.series().diverges();
+    context_.stats.residual = levels.series().tail_share();
 }
 
 /// Film and direct light.
@@ -114,11 +147,9 @@ void LineMethod::make_first_set() {
 
 /// The set that carries the next bounce order: new pencils, or the same ones with new radiance.
 PencilSet LineMethod::next_set(bool direct) {
-    const bool fixed = context_.options.iterate == Iterate::fixed;
-    PencilSet next = fixed ? PencilSet(context_.kernels.device(), set_.maps) : solver_->create(projected_, &set_, false, direct);
-    if (fixed && weights_in_maps(context_.kernels.features().weights))
-        next.radiance.copy_from(set_.radiance, 0, 0, set_.radiance.size());  // the quadrature weights stay, the radiance is overwritten
-    solver_->fill(next, &set_, false, direct, !fixed);
+    if (context_.options.iterate == Iterate::fixed) return solver_->reflect(set_, direct);
+    PencilSet next = solver_->create(projected_, &set_, false, direct);
+    solver_->fill(next, &set_, false, direct, true);
     return next;
 }
 
@@ -142,24 +173,6 @@ double LineMethod::project_set() {
     });
     if (projected_++ == 0) count_blind();
     return seconds;
-}
-
-/// True if the tolerance ends the series; warns and ends a series that does not decrease.
-bool LineMethod::converged() {
-    if (series_.last_share() < context_.options.tolerance) return true;
-    if (series_.diverges()) {
-        context_.stats.warnings.push_back(
-            fmt::format("each reflection is brighter than the last: the series has no sum with these weights; stopped after {}, the image "
-                        "is not that of the scene",
-                        projected_));
-        context_.stats.converged = false;
-        return true;
-    }
-    if (projected_ <= most_bounces) return false;
-    context_.stats.warnings.push_back(
-        fmt::format("bounces do not decrease (albedo near 1 in a closed scene): stopped after {}, not converged", most_bounces));
-    context_.stats.converged = false;
-    return true;
 }
 
 /// Fraction of the work done, from how far the last bounce has fallen towards the tolerance on a logarithmic scale.
@@ -200,9 +213,7 @@ std::shared_ptr<PencilField> LineMethod::field() const { return field_sum_ ? std
 std::vector<std::string> LineMethod::explain() const {
     const RenderOptions& options = context_.options;
     std::vector<std::string> lines{explain_weights(context_.kernels.features().weights, cell_grid(sites_of_cells(options))),
-                                   options.iterate == Iterate::fixed
-                                       ? "iteration: one fixed set; its geometry maps and weights are made once"
-                                       : "iteration: a new, smaller set for each bounce"};
+                                   explain_iteration(options)};
     if (options.bounces == 1) lines.push_back("left out: all pencil sets that do not carry direct light (one reflection)");
     if (options.field)
         lines = {lines.front(), fmt::format("left out: transport between pencils; the light is that of a field of {}", options.pencils)};

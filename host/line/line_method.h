@@ -29,12 +29,12 @@ public:
 private:
     bool begin();
     void show_field();
+    void show_levels();
     void find_rooms();
     void make_first_set();
     PencilSet next_set(bool direct);
     void project();
     double project_set();
-    bool converged();
     double progress() const;
     void count_blind();
     void close_series();

@@ -87,6 +87,14 @@ void PencilSolver::send(const GeometryMaps& maps, int first, int count, const Pe
     project(surfels, *source, rays, outgoing, visible, "pencil transport");
 }
 
+PencilSet PencilSolver::reflect(const PencilSet& set, bool direct) {
+    PencilSet next(kernels_.device(), set.maps);
+    if (weights_in_maps(form()))
+        next.radiance.copy_from(set.radiance, 0, 0, set.radiance.size());  // the quadrature weights stay, the radiance is overwritten
+    fill(next, &set, false, direct, false);
+    return next;
+}
+
 void PencilSolver::project(const Surfels& surfels, const PencilSet& source, const RayChoice& rays, Buffer<float>& outgoing,
                            Buffer<int>& visible, const std::string& what) {
     const bool sends = weights_need_rays(form());

@@ -36,6 +36,9 @@ public:
     /// quadrature weights of its texels are made too (alg. 6.1), where the form needs any.
     void fill(PencilSet& target, const PencilSet* source, bool emission, bool direct, bool weights);
 
+    /// The same pencils with the light of `set` after one more bounce, and reflected direct light where it joins (`direct`).
+    PencilSet reflect(const PencilSet& set, bool direct);
+
     /// Adds the radiance of `source` reflected by the surfels, and the light of their own rays where the form of weights has any; `rays`
     /// says which. `visible` gets the number of pencils that each surfel sees. `what`: "pencil transport" or "projection-scatter".
     void project(const Surfels& surfels, const PencilSet& source, const RayChoice& rays, Buffer<float>& outgoing, Buffer<int>& visible,

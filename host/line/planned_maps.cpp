@@ -2,15 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace pencil {
 
 namespace {
 
-/// Sets do not shrink below this: bounces late in the series are smooth, but not constant.
-constexpr int smallest_set = 16;
 /// Sets of a series that is not limited: the tolerance ends it.
 constexpr int expected_sets = 8;
+/// No level has fewer pencils than this, unless the finest one has.
+constexpr int coarsest_level = 32;
 /// Tiles of light samples are finer than pencil maps, because shadow edges are seen directly, but not finer than this.
 constexpr int light_map_factor = 4;
 constexpr int largest_light_map = 256;
@@ -24,7 +25,7 @@ bool any_emitter(const Scene& scene, const std::vector<LightForm>& forms, LightF
 /// Sets that carry what is wanted: the first carries order 1 where maps emit, else order 2.
 int planned_sets(const RenderOptions& options, bool maps_emit) {
     const int wanted = options.bounces < 0 ? expected_sets : options.bounces - (maps_emit ? 0 : 1);
-    return std::clamp(wanted, 0, options.iterate == Iterate::fixed ? 1 : expected_sets);
+    return std::clamp(wanted, 0, options.iterate == Iterate::sets ? expected_sets : 1);
 }
 
 }  // namespace
@@ -33,7 +34,13 @@ int light_map_size(int map) { return std::max(map, std::min(light_map_factor * m
 
 int set_size(const RenderOptions& options, int index) {
     const double size = options.pencils * std::pow(options.decay, index);
-    return std::max(static_cast<int>(std::lround(size)), std::min(options.pencils, smallest_set));
+    return std::max(static_cast<int>(std::lround(size)), std::min(options.pencils, options.least_pencils));
+}
+
+std::vector<int> level_sizes(int pencils) {
+    std::vector<int> sizes{pencils};
+    while (sizes.back() / level_group >= coarsest_level) sizes.push_back(sizes.back() / level_group);
+    return sizes;
 }
 
 std::vector<MapBatch> planned_maps(const Scene& scene, const std::vector<LightForm>& forms, const RenderOptions& options) {
@@ -44,6 +51,10 @@ std::vector<MapBatch> planned_maps(const Scene& scene, const std::vector<LightFo
     const int sets = options.field ? 1 : planned_sets(options, any_emitter(scene, forms, LightForm::maps));
     int pencils = 1;  // the camera's map finds rooms
     for (int index = 0; index < sets; ++index) pencils += set_size(options, index);
+    if (options.iterate == Iterate::levels && !options.field) {
+        const std::vector<int> levels = level_sizes(options.pencils);
+        pencils = std::accumulate(levels.begin(), levels.end(), 1);
+    }
     if (sets > 0) batches.push_back({pencils, options.map});
     return batches;
 }

@@ -12,6 +12,11 @@ namespace pencil {
 /// Pencils of set number `index`: --pencils shrunk by --decay, not below 16 or --pencils.
 int set_size(const RenderOptions& options, int index);
 
+/// Pencils of a group, of which one goes on to the next level.
+constexpr int level_group = 4;
+/// Numbers of pencils of the levels, about: the finest first.
+std::vector<int> level_sizes(int pencils);
+
 /// Width of the maps of light samples beside pencil maps of width `map`.
 int light_map_size(int map);
 

@@ -24,7 +24,7 @@ constexpr int map_step = 8, largest_map = 1024;
 /// In the order of the enumerations.
 const std::vector<std::string> methods{"surface", "line", "hybrid"}, initials{"direct", "emission", "auto"},
     placements{"random", "lds", "near-surface", "light-rays", "camera-rays", "profile"},
-    weightings{"dpdf", "voronoi", "analytic", "thesis"}, iterations{"sets", "fixed"};
+    weightings{"dpdf", "voronoi", "analytic", "thesis"}, iterations{"sets", "fixed", "levels"};
 
 Option only(std::initializer_list<MethodName> served, Option option) {
     for (const MethodName method : served) option.methods += (option.methods.empty() ? "" : ", ") + to_string(method);
@@ -146,6 +146,8 @@ std::vector<Option> render_option_table(RenderOptions& o) {
         only({surface}, target_row(o.target_error)),
         pencils_row(o.pencils),
         only({line, hybrid}, real_option("--decay", o.decay, 0, false, 1, "Size of each further set relative to the last")),
+        only({line, hybrid},
+             integer_option("--least-pencils", o.least_pencils, 1, many, "Sets do not shrink below this, unless the first has fewer")),
         endless_option("--bounces", o.bounces, 0, most_bounces,
                        "Reflections at most: 0 emission only, 1 direct light only; auto: until --tolerance"),
         real_option("--tolerance", o.tolerance, 0, false, 1,
@@ -159,7 +161,9 @@ std::vector<Option> render_option_table(RenderOptions& o) {
              word_option("--weights", o.weights, weightings,
                          "Quadrature weights of the pencils: by density of directions, by Voronoi cells, by free path; thesis is dpdf "
                          "with the printed normaliser")),
-        only({line, hybrid}, word_option("--iterate", o.iterate, iterations, "A new, smaller set for each bounce, or one set iterated")),
+        only({line, hybrid}, word_option("--iterate", o.iterate, iterations,
+                                         "A new, smaller set for each bounce; one set iterated; or levels of fewer and fewer pencils, the "
+                                         "coarsest of which is iterated")),
         only({hybrid}, integer_option("--rays", o.rays, 1, most_rays,
                                       "Rays of each surfel of the film, rounded up to a square; texels of maps send a quarter as many")),
         resolution_option(o.width, o.height, "the scene's"),

@@ -15,7 +15,7 @@ enum class MethodName { surface, line, hybrid };
 enum class Initial { direct, emission, automatic };
 enum class Placement { random, lds, near_surface, light_rays, camera_rays, profile };
 enum class Weights { dpdf, voronoi, analytic, thesis };
-enum class Iterate { sets, fixed };
+enum class Iterate { sets, fixed, levels };
 
 constexpr double target_of_scene = 0;    // RenderOptions::target_error: standard_target
 constexpr int pencils_of_method = 0;     // RenderOptions::pencils: standard_pencils of the method
@@ -27,6 +27,7 @@ struct RenderOptions {
     MethodName method = MethodName::surface;
     int pencils = pencils_of_method;  // line: of the first set; surface: of the world set of the first pass
     double decay = 0.7;               // line: size of the next pencil set relative to the last
+    int least_pencils = 16;           // line: sets do not shrink below this, late bounces are smooth, but not constant
     int bounces = bounces_of_scene;   // reflections at most, direct light included
     int map = 64;                     // line: octahedral tile size, a multiple of 8 [texels]
     int light_samples = 64;

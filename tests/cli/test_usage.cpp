@@ -52,7 +52,7 @@ INSTANTIATE_TEST_SUITE_P(
                     option("--film-samples", "0", "1 to 64"), option("--initial", "none", "direct, emission, auto"),
                     option("--placement", "grid", "random, lds"), option("--placement", "lds+", "random, lds"),
                     option("--placement", "lds+profile+lds", "names lds twice"),
-                    option("--weights", "equal", "dpdf, voronoi, analytic, thesis"), option("--iterate", "once", "sets, fixed"),
+                    option("--weights", "equal", "dpdf, voronoi, analytic, thesis"), option("--iterate", "once", "sets, fixed, levels"),
                     option("--resolution", "0x0", "WIDTHxHEIGHT"), option("--resolution", "64", "WIDTHxHEIGHT"),
                     option("--resolution", "64x", "WIDTHxHEIGHT"), option("--resolution", "64x-3", "WIDTHxHEIGHT"),
                     option("--resolution", "1000001x1", "1 to 1000000"), option("--seed", "-1", "18446744073709551615"),
@@ -72,9 +72,10 @@ TEST(Usage, HelpNamesEveryCommandAndOption) {
         EXPECT_NE(general.out.find(word), std::string::npos) << word;
     const RunResult render = run_pencil({"render", "--help"});
     EXPECT_EQ(render.code, 0);
-    for (const char* word : {"--output",    "--pencils", "--decay",   "--bounces",   "--map",        "--light-samples", "--initial",
-                             "--placement", "--weights", "--iterate", "--tolerance", "--resolution", "--seed",          "--device",
-                             "--aov",       "--define",  "--stats",   "--explain",   "--quiet",      "--film-samples",  "--rays"})
+    for (const char* word :
+         {"--output",  "--pencils", "--decay",     "--bounces",      "--map",  "--light-samples", "--initial", "--placement",
+          "--weights", "--iterate", "--tolerance", "--resolution",   "--seed", "--device",        "--aov",     "--define",
+          "--stats",   "--explain", "--quiet",     "--film-samples", "--rays", "--least-pencils"})
         EXPECT_NE(render.out.find(word), std::string::npos) << word;
     EXPECT_TRUE(render.err.empty()) << render.err;
 }

@@ -19,6 +19,7 @@ TEST(BounceSeries, GeometricSeriesKnowsItsTail) {
     const BounceSeries series = series_of({8, 4, 2, 1});
     EXPECT_NEAR(series.last_share(), 1.0 / 15.0, 1e-12);
     EXPECT_NEAR(series.tail_factor().x, 1.0, 1e-12);
+    EXPECT_NEAR(series.tail_share(), 1.0 / 16.0, 1e-12);
     EXPECT_FALSE(series.diverges());
 }
 
