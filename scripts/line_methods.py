@@ -16,6 +16,7 @@ import numpy
 import OpenImageIO
 
 SCENES = ("cornell-box", "two-rooms", "door-ajar")
+SCENE_FOLDER = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "scenes")
 SIZE = 192
 FORMS = {
     "weights": {"line, dpdf": "--method line", "line, voronoi": "--method line --weights voronoi",
@@ -49,6 +50,14 @@ def compare(image, reference):
     return table
 
 
+def truth(name, folder, seconds):
+    """Paths of a scene of the project and of its image by light paths, made where it is not there yet."""
+    scene, reference = os.path.join(SCENE_FOLDER, name + ".xml"), os.path.join(folder, name + "-truth.exr")
+    if not os.path.exists(reference):
+        run(PENCIL, "reference", scene, "-o", reference, "--resolution", f"{SIZE}x{SIZE}", "--time", seconds, "--quiet")
+    return scene, reference
+
+
 def measure(scene, flags, seed, folder, reference):
     image, stats = os.path.join(folder, "image.exr"), os.path.join(folder, "stats.json")
     run(PENCIL, "render", scene, "-o", image, "--resolution", f"{SIZE}x{SIZE}", "--seed", str(seed), "--quiet", "--stats", stats,
@@ -71,15 +80,12 @@ def main():
     options = parser.parse_args()
     global PENCIL
     PENCIL = os.path.abspath(options.pencil)
-    scenes = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "scenes")
     with tempfile.TemporaryDirectory() as temporary:
         folder = options.keep or temporary
         os.makedirs(folder, exist_ok=True)
         print("| scene | form | relMSE | mean | orders 2 to 10 | red of the front | seconds |\n|---|---|---|---|---|---|---|")
         for name in SCENES:
-            scene, reference = os.path.join(scenes, name + ".xml"), os.path.join(folder, name + "-truth.exr")
-            if not os.path.exists(reference):
-                run(PENCIL, "reference", scene, "-o", reference, "--resolution", f"{SIZE}x{SIZE}", "--time", options.reference_time, "--quiet")
+            scene, reference = truth(name, folder, options.reference_time)
             for form, flags in FORMS[options.forms].items():
                 rows = numpy.array([measure(scene, flags, seed, folder, reference) for seed in range(options.seeds)])
                 error, mean, _, _, front, seconds = rows.mean(axis=0)

@@ -102,7 +102,10 @@ void PencilSolver::project(const Surfels& surfels, const PencilSet& source, cons
     for (int first = 0; first < surfels.count; first += step) {
         const int end = std::min(first + step, surfels.count);
         if (sends) project_rays(kernels_, scene_, surfels, first, end, source, free_space_.space(), rays, tables_.rays());
-        project_pencils(kernels_, scene_, surfels, first, end, source, tables_, outgoing, visible, what);
+        if (sends && rays.alone)
+            sum_rays(kernels_, surfels, first, end, tables_.rays(), outgoing);
+        else
+            project_pencils(kernels_, scene_, surfels, first, end, source, tables_, outgoing, visible, what);
     }
 }
 

@@ -19,7 +19,7 @@ constexpr int many = 1 << 20;
 
 RayChoice choose_rays(const RenderOptions& options, int rays, int index) {
     const auto side = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(rays))));
-    return {side, static_cast<std::uint32_t>(hash64(hash64(options.seed) ^ static_cast<std::uint64_t>(index))), 0};
+    return {side, static_cast<std::uint32_t>(hash64(hash64(options.seed) ^ static_cast<std::uint64_t>(index))), 0, false};
 }
 
 }  // namespace
@@ -30,7 +30,9 @@ RayChoice film_rays(const RenderOptions& options, int index) {
 }
 
 RayChoice map_rays(const RenderOptions& options, int index) {
-    return choose_rays(options, (options.rays + film_to_map - 1) / film_to_map, index);
+    RayChoice choice = choose_rays(options, (options.rays + film_to_map - 1) / film_to_map, index);
+    choice.alone = true;
+    return choice;
 }
 
 int ray_stretch(const RayChoice& choice) { return std::max(launch_rays / choice.count() / surfel_multiple, 1) * surfel_multiple; }
@@ -47,6 +49,12 @@ void project_rays(Kernels& kernels, const DeviceScene& scene, const Surfels& sur
     kernels.get("project_rays")
         .args(surfels.store(), first, end, choice.seed, choice.first_key, choice.side, maps.centres(), source.radiance,
               visibility_map(maps, scene), scene.hierarchy(), even_density(space), rays.data, rays.capacity)
+        .run(kernels.packets(end - first), "rays of surfels");
+}
+
+void sum_rays(Kernels& kernels, const Surfels& surfels, int first, int end, const SurfelRays& rays, Buffer<float>& outgoing) {
+    kernels.get("sum_rays")
+        .args(surfels.store(), first, end, rays.data, rays.capacity, rays.count, outgoing)
         .run(kernels.packets(end - first), "rays of surfels");
 }
 

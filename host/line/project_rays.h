@@ -18,6 +18,7 @@ struct RayChoice {
     int side = 0;
     std::uint32_t seed = 0;
     int first_key = 0;
+    bool alone = false;  // no lines beside them
 };
 
 /// Those of the film's surfels for set number `index`, and of surfels of maps, which are smoothed and need fewer. All are new each time.
@@ -31,5 +32,8 @@ int ray_stretch(const RayChoice& choice);
 /// [normalised scene units]. The scene has a hierarchy.
 void project_rays(Kernels& kernels, const DeviceScene& scene, const Surfels& surfels, int first, int end, const PencilSet& source,
                   const CentreSpace& space, const RayChoice& choice, SurfelRays& rays);
+
+/// Adds what surfels `first` to `end` reflect of the light of their rays.
+void sum_rays(Kernels& kernels, const Surfels& surfels, int first, int end, const SurfelRays& rays, Buffer<float>& outgoing);
 
 }  // namespace pencil

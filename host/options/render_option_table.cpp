@@ -50,6 +50,12 @@ Option pencils_row(int& pencils) {
     return row;
 }
 
+Option least_pencils_row(int& least) {
+    Option row = integer_option("--least-pencils", least, 1, many, "Sets do not shrink below this, unless the first has fewer");
+    row.standard = fmt::format("{}; hybrid: {}", standard_least_pencils(MethodName::line), standard_least_pencils(MethodName::hybrid));
+    return row;
+}
+
 }  // namespace
 
 Option map_option(int& map) {
@@ -146,8 +152,7 @@ std::vector<Option> render_option_table(RenderOptions& o) {
         only({surface}, target_row(o.target_error)),
         pencils_row(o.pencils),
         only({line, hybrid}, real_option("--decay", o.decay, 0, false, 1, "Size of each further set relative to the last")),
-        only({line, hybrid},
-             integer_option("--least-pencils", o.least_pencils, 1, many, "Sets do not shrink below this, unless the first has fewer")),
+        only({line, hybrid}, least_pencils_row(o.least_pencils)),
         endless_option("--bounces", o.bounces, 0, most_bounces,
                        "Reflections at most: 0 emission only, 1 direct light only; auto: until --tolerance"),
         real_option("--tolerance", o.tolerance, 0, false, 1,

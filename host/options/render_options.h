@@ -25,11 +25,11 @@ constexpr double efficacy_of_scene = 0;  // RenderOptions::lumens_per_watt: stan
 
 struct RenderOptions {
     MethodName method = MethodName::surface;
-    int pencils = pencils_of_method;  // line: of the first set; surface: of the world set of the first pass
-    double decay = 0.7;               // line: size of the next pencil set relative to the last
-    int least_pencils = 16;           // line: sets do not shrink below this, late bounces are smooth, but not constant
-    int bounces = bounces_of_scene;   // reflections at most, direct light included
-    int map = 64;                     // line: octahedral tile size, a multiple of 8 [texels]
+    int pencils = pencils_of_method;        // line: of the first set; surface: of the world set of the first pass
+    double decay = 0.7;                     // line: size of the next pencil set relative to the last
+    int least_pencils = pencils_of_method;  // line: sets do not shrink below this
+    int bounces = bounces_of_scene;         // reflections at most, direct light included
+    int map = 64;                           // line: octahedral tile size, a multiple of 8 [texels]
     int light_samples = 64;
     Initial initial = Initial::automatic;
     std::vector<Placement> placement{Placement::lds};  // line: a mixture, in turn
@@ -49,7 +49,6 @@ struct RenderOptions {
     bool irradiance = false;                         // the film shows irradiance / pi of what it sees instead of its radiance
 };
 
-/// As many as a first picture needs.
 /// Paths along lobes are noisier than diffuse light.
 constexpr double standard_target(bool lobes) { return lobes ? 4e-3 : 1e-3; }
 /// Lumens of a watt of radiance in the scene's rgb: what its lights were divided by if they were given in photometric units, else that of white
@@ -57,6 +56,9 @@ constexpr double standard_target(bool lobes) { return lobes ? 4e-3 : 1e-3; }
 constexpr double standard_efficacy(bool photometric) { return photometric ? 683 : 179; }
 /// That, unless another was `asked` for.
 constexpr double efficacy_of(double asked, bool photometric) { return asked == efficacy_of_scene ? standard_efficacy(photometric) : asked; }
+/// Late bounces are smooth, but not constant; a place that no pencil shows has no light for rays.
+constexpr int standard_least_pencils(MethodName method) { return method == MethodName::hybrid ? 32 : 16; }
+/// As many as a first picture needs.
 constexpr int standard_pencils(MethodName method) { return method == MethodName::surface ? 800 : 128; }
 
 }  // namespace pencil

@@ -47,6 +47,7 @@ RenderOptions resolve(const RenderOptions& options, const Scene& scene) {
     RenderOptions complete = options;
     if (complete.target_error == target_of_scene) complete.target_error = standard_target(has_lobes(scene));
     if (complete.pencils == pencils_of_method) complete.pencils = standard_pencils(complete.method);
+    if (complete.least_pencils == pencils_of_method) complete.least_pencils = standard_least_pencils(complete.method);
     // max_depth counts the emitter as the first vertex of a path.
     if (complete.bounces == bounces_of_scene) complete.bounces = scene.max_depth < 0 ? endless_bounces : std::max(scene.max_depth - 1, 0);
     complete.lumens_per_watt = efficacy_of(complete.lumens_per_watt, scene.photometric_lights > 0);

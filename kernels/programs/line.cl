@@ -10,4 +10,5 @@
 #include "smooth_radiance.cl"
 #include "store_radiance.cl"
 #include "sum_radiance.cl"
+#include "sum_rays.cl"
 #include "test_visibility.cl"

@@ -41,6 +41,9 @@ struct RayScene {
         host = std::make_unique<HostSurfels>(surfels);
         WeightTables tables(kernels);
         project_rays(kernels, on_device, surfels, 0, surfels.count, set, test_space(), {ray_side, seed, 0}, tables.rays());
+        Buffer<float> by_rays = surfel_rgb(device(), surfels.capacity, "outgoing by rays alone");
+        sum_rays(kernels, surfels, 0, surfels.count, tables.rays(), by_rays);
+        alone = by_rays.read();
         ray_capacity = static_cast<std::size_t>(tables.rays().capacity);
         found = tables.rays().data.read();
         Buffer<float> outgoing = surfel_rgb(device(), surfels.capacity, "outgoing");
@@ -66,7 +69,7 @@ struct RayScene {
     std::vector<float4> centres;
     std::unique_ptr<HostSurfels> host;
     std::size_t ray_capacity = 0;
-    std::vector<float> found, after;
+    std::vector<float> found, after, alone;  // fields of rays; radiance by lines and rays, and by rays
 
 private:
     std::vector<float4> coloured_tiles() const {
@@ -122,6 +125,25 @@ void check_rays(const RayScene& s, double most_lost) {
 TEST(ProjectRays, FindTheLightOfWhatTheyMeet) {
     check_rays(RayScene(box_scene(131), 24, 400, 1), 0.002);
     check_rays(RayScene(room_scene(132, 12), 48, 500, 2), 0.15);
+}
+
+TEST(ProjectRays, AloneAreTheMeanOfThoseThatFindLight) {
+    const RayScene s(room_scene(137, 12), 12, 500, 7);
+    int lost = 0;
+    for (int i = 0; i < s.host->count; ++i) {
+        dvec3 sum(0.0);
+        int known = 0;
+        for (int k = 0; k < ray_count; ++k) {
+            if (s.ray(i, k, RAY_RADIUS) < 0) continue;
+            sum += s.ray_light(i, k);
+            ++known;
+        }
+        lost += ray_count - known;
+        const dvec3 expected = known == 0 ? dvec3(0.0) : s.host->albedo(i) * sum / static_cast<double>(known);
+        for (int c = 0; c < 3; ++c)
+            ASSERT_NEAR(s.alone[static_cast<std::size_t>(c) * s.host->capacity + static_cast<std::size_t>(i)], expected[c], 1e-5);
+    }
+    EXPECT_GT(lost, 0) << "the case of rays that find none is not tested";
 }
 
 TEST(ProjectRays, StrataHoldOneRayEach) {

@@ -143,6 +143,7 @@ TEST(SessionOptions, AreSettledByMethodAndScene) {
     options.bounces = endless_bounces;
     options.width = options.height = 8;
     EXPECT_EQ(resolve(options, scene).pencils, standard_pencils(MethodName::line));
+    EXPECT_EQ(resolve(options, scene).least_pencils, standard_least_pencils(MethodName::line));
     EXPECT_EQ(resolve(options, scene).bounces, endless_bounces);
     EXPECT_EQ(resolve(options, scene).height, 8);
 }
