@@ -176,47 +176,46 @@ static inline LaneRays surfel_rays(const SurfelPacket *s, vuint key, int column,
     return lane_rays(s->x, s->y, s->z, dx, dy, dz, s->plane, select((vfloat)(-1.0f), (vfloat)(INFINITY), above));
 }
 
-/// launch : 1-D, one work-item per packet of PENCIL_WIDTH surfels from first_surfel on
+/// launch : 1-D, one work-item per packet of PENCIL_WIDTH surfels first_surfel .. surfel_end and ray first_ray .. ray_end, packets side by side
 /// in     : surfels of `capacity`; side^2 rays of each, random by `seed` and the surfel's number from `first_key`; a pencil set and its
 ///          maps of n x n; the scene and its hierarchy; low, high, volume: where centres are uniform
 /// out    : rays[side^2][RAY_FIELDS][ray_capacity]
 /// needs  : radiance and hits folded. A ray that meets what no pencil shows is none: its neighbours stand for it.
-kernel void project_rays(global const float *surfels, int capacity, int first_surfel, int surfel_count, uint seed, int first_key, int side,
-                         global const float4 *cops, int pencil_count, global const float4 *radiance, global const int2 *cells,
-                         global const int4 *groups, global const Hit *hits, global const Triangle *triangles, global const float4 *planes,
-                         int n, global const BvhNode *nodes, global const int *leaves, float4 low, float4 high, float volume,
-                         global float *rays, int ray_capacity) {
-    int offset = get_global_id(0) * PENCIL_WIDTH, first = first_surfel + offset;
-    if (first >= surfel_count) return;
+kernel void project_rays(global const float *surfels, int capacity, int first_surfel, int surfel_end, uint seed, uint first_key, int side,
+                         int first_ray, int ray_end, global const float4 *cops, int pencil_count, global const float4 *radiance,
+                         global const int2 *cells, global const int4 *groups, global const Hit *hits, global const Triangle *triangles,
+                         global const float4 *planes, int n, global const BvhNode *nodes, global const int *leaves, float4 low, float4 high,
+                         float volume, global float *rays, int ray_capacity) {
+    const int packets = (surfel_end - first_surfel + PENCIL_WIDTH - 1) / PENCIL_WIDTH, item = get_global_id(0);
+    const int k = first_ray + item / packets, offset = item % packets * PENCIL_WIDTH, first = first_surfel + offset;
+    if (k >= ray_end) return;
     SurfelPacket s = load_surfels(surfels, capacity, first);
     PencilField field = {{cells, groups, hits, triangles, planes, n}, cops, radiance, pencil_count};
     CentreSpace space = {low, high, volume};
-    vuint key = hash_packet(PACKET_AS_UINT(first_key + first + PACKET_LANES) ^ seed);
-    for (int k = 0; k < side * side; ++k) {
-        vfloat x, y;
-        LaneRays r = surfel_rays(&s, key, k % side, k / side, side, &x, &y);
-        vint sent = PACKET_MASK(r.nearest > 0.0f);
-        float4 light[PENCIL_WIDTH];
-        for (int l = 0; l < PENCIL_WIDTH; ++l) light[l] = (float4)(0.0f);
-        if (PACKET_ANY(sent)) {
-            lanes_trace(&r, false, nodes, leaves, triangles, planes);
-            Places places = places_met(&r, triangles, planes);
-            look_up(places, &field, light);
-            int known[PENCIL_WIDTH];
-            for (int l = 0; l < PENCIL_WIDTH; ++l) known[l] = -(light[l].w > 0.0f);
-            sent &= ~places.open | PACKET_LOAD(known);
-        }
-        vfloat path = fmin(r.nearest, box_exit(&r, &space)), cosine = sqrt(fmax(1.0f - x * x - y * y, (vfloat)(0.0f)));
-        vfloat radius = cell_radius(FREE_PATH_DENSITY(path, volume), cosine, pencil_count, side * side);
-        global float *out = rays + (size_t)k * RAY_FIELDS * ray_capacity + offset;
-        PACKET_STORE(x, out + (size_t)RAY_TANGENT * ray_capacity);
-        PACKET_STORE(y, out + (size_t)RAY_BITANGENT * ray_capacity);
-        PACKET_STORE(select((vfloat)(-1.0f), radius, sent), out + (size_t)RAY_RADIUS * ray_capacity);
-        for (int l = 0; l < PENCIL_WIDTH; ++l) {
-            out[(size_t)RAY_R * ray_capacity + l] = light[l].x;
-            out[(size_t)RAY_G * ray_capacity + l] = light[l].y;
-            out[(size_t)RAY_B * ray_capacity + l] = light[l].z;
-        }
+    vuint key = hash_packet((first_key + PACKET_AS_UINT(first + PACKET_LANES)) ^ seed);
+    vfloat x, y;
+    LaneRays r = surfel_rays(&s, key, k % side, k / side, side, &x, &y);
+    vint sent = PACKET_MASK(r.nearest > 0.0f);
+    float4 light[PENCIL_WIDTH];
+    for (int l = 0; l < PENCIL_WIDTH; ++l) light[l] = (float4)(0.0f);
+    if (PACKET_ANY(sent)) {
+        lanes_trace(&r, false, nodes, leaves, triangles, planes);
+        Places places = places_met(&r, triangles, planes);
+        look_up(places, &field, light);
+        int known[PENCIL_WIDTH];
+        for (int l = 0; l < PENCIL_WIDTH; ++l) known[l] = -(light[l].w > 0.0f);
+        sent &= ~places.open | PACKET_LOAD(known);
+    }
+    vfloat path = fmin(r.nearest, box_exit(&r, &space)), cosine = sqrt(fmax(1.0f - x * x - y * y, (vfloat)(0.0f)));
+    vfloat radius = cell_radius(FREE_PATH_DENSITY(path, volume), cosine, pencil_count, side * side);
+    global float *out = rays + (size_t)k * RAY_FIELDS * ray_capacity + offset;
+    PACKET_STORE(x, out + (size_t)RAY_TANGENT * ray_capacity);
+    PACKET_STORE(y, out + (size_t)RAY_BITANGENT * ray_capacity);
+    PACKET_STORE(select((vfloat)(-1.0f), radius, sent), out + (size_t)RAY_RADIUS * ray_capacity);
+    for (int l = 0; l < PENCIL_WIDTH; ++l) {
+        out[(size_t)RAY_R * ray_capacity + l] = light[l].x;
+        out[(size_t)RAY_G * ray_capacity + l] = light[l].y;
+        out[(size_t)RAY_B * ray_capacity + l] = light[l].z;
     }
 }
 

@@ -31,7 +31,7 @@ struct Features {
     int surfel_fields() const;
     // What the method needs:
     int weights = PENCIL_WEIGHTS_DPDF;  // form of the quadrature weights (shared/weights.h)
-    int cell_grid = 0;                  // root of the greatest number of directions that sample Voronoi cells, 0 for other weights
+    int cell_grid = 0;                  // root of the greatest number of directions that sample cells, 0 for weights that are none
     bool bvh = false;                   // rays through the hierarchy decide visibility, geometry maps do not
 };
 

@@ -83,7 +83,7 @@ void PencilSolver::send(const GeometryMaps& maps, int first, int count, const Pe
     if (direct) light_surfels(kernels_, scene_, surfels, lights_, outgoing, "direct light to pencils");
     if (!source) return;
     RayChoice rays = map_rays(options_, sets_);
-    rays.first_key = first * maps.n * maps.n;
+    rays.first_key = static_cast<std::uint32_t>(first) * static_cast<std::uint32_t>(maps.n * maps.n);
     project(surfels, *source, rays, outgoing, visible, "pencil transport");
 }
 
@@ -98,10 +98,10 @@ PencilSet PencilSolver::reflect(const PencilSet& set, bool direct) {
 void PencilSolver::project(const Surfels& surfels, const PencilSet& source, const RayChoice& rays, Buffer<float>& outgoing,
                            Buffer<int>& visible, const std::string& what) {
     const bool sends = weights_need_rays(form());
-    const int step = sends ? ray_stretch(rays) : std::max(surfels.count, 1);
-    for (int first = 0; first < surfels.count; first += step) {
-        const int end = std::min(first + step, surfels.count);
-        if (sends) project_rays(kernels_, scene_, surfels, first, end, source, free_space_.space(), rays, tables_.rays());
+    const RayStretch stretch = sends ? ray_stretch(kernels_, rays, source.maps->count) : RayStretch{std::max(surfels.count, 1), 0};
+    for (int first = 0; first < surfels.count; first += stretch.surfels) {
+        const int end = std::min(first + stretch.surfels, surfels.count);
+        if (sends) project_rays(kernels_, scene_, surfels, first, end, source, free_space_.space(), rays, stretch, tables_.rays());
         if (sends && rays.alone)
             sum_rays(kernels_, surfels, first, end, tables_.rays(), outgoing);
         else

@@ -11,13 +11,13 @@
 
 namespace pencil {
 
-/// Which rays: side^2 of each surfel, random by `seed` and the surfel's number from `first_key`.
+/// Which rays: side^2 of each surfel, random by `seed` and the surfel's number from `first_key`, modulo 2^32.
 struct RayChoice {
     int count() const { return side * side; }
 
     int side = 0;
     std::uint32_t seed = 0;
-    int first_key = 0;
+    std::uint32_t first_key = 0;
     bool alone = false;  // no lines beside them
 };
 
@@ -25,13 +25,19 @@ struct RayChoice {
 RayChoice film_rays(const RenderOptions& options, int index);
 RayChoice map_rays(const RenderOptions& options, int index);
 
-/// Surfels whose rays are held at once, a multiple of surfel_multiple.
-int ray_stretch(const RayChoice& choice);
+/// How much is done at once. What comes out does not depend on it.
+struct RayStretch {
+    int surfels = surfel_multiple;  // whose rays are held, a multiple of surfel_multiple
+    int launch = 1;                 // rays of a launch, those of all surfels together
+};
 
-/// Rays of surfels `first` to `end`, at most ray_stretch, looked up in the maps of `source`, whose centres are uniform in `space`
+/// Enough work for the device, a launch of a tenth of a second at most, and little of its memory.
+RayStretch ray_stretch(const Kernels& kernels, const RayChoice& choice, int pencils);
+
+/// Rays of surfels `first` to `end`, at most those of a stretch, looked up in the maps of `source`, whose centres are uniform in `space`
 /// [normalised scene units]. The scene has a hierarchy.
 void project_rays(Kernels& kernels, const DeviceScene& scene, const Surfels& surfels, int first, int end, const PencilSet& source,
-                  const CentreSpace& space, const RayChoice& choice, SurfelRays& rays);
+                  const CentreSpace& space, const RayChoice& choice, const RayStretch& stretch, SurfelRays& rays);
 
 /// Adds what surfels `first` to `end` reflect of the light of their rays.
 void sum_rays(Kernels& kernels, const Surfels& surfels, int first, int end, const SurfelRays& rays, Buffer<float>& outgoing);

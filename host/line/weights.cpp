@@ -50,14 +50,14 @@ std::string explain_weights(int form, int grid) {
 }
 
 int cell_grid(int sites) {
-    constexpr int directions_per_site = 4, width = 4, smallest = 8, largest = 48;
-    const double root = std::sqrt(static_cast<double>(directions_per_site) * sites);
-    return std::clamp(width * static_cast<int>(std::ceil(root / width)), smallest, largest);
+    constexpr int width = 4, smallest = 8;
+    const double root = std::sqrt(static_cast<double>(PENCIL_CELL_DIRECTIONS) * sites);
+    return std::clamp(width * static_cast<int>(std::ceil(root / width)), smallest, PENCIL_CELL_LARGEST_GRID);
 }
 
 int largest_cell_grid(int sites) {
     const int grid = cell_grid(sites);
-    return grid <= 24 ? 24 : 48;
+    return grid <= PENCIL_CELL_LARGEST_GRID / 2 ? PENCIL_CELL_LARGEST_GRID / 2 : PENCIL_CELL_LARGEST_GRID;
 }
 
 WeightTables::WeightTables(Kernels& kernels) : kernels_(kernels) {

@@ -35,9 +35,9 @@ inline bool weights_need_rays(int form) { return form == PENCIL_WEIGHTS_POWER; }
 /// One sentence for --explain.
 std::string explain_weights(int form, int grid);
 
-/// Root of the number of directions that sample the cells of so many pencils and rays, a multiple of 4.
+/// Root of the number of directions that sample the cells of so many pencils and rays, a multiple of 4, PENCIL_CELL_LARGEST_GRID at most.
 int cell_grid(int sites);
-/// The largest of a render whose first set has so many pencils. Takes few values: each is a build of the kernels.
+/// The largest of a render whose first set has so many pencils and rays. Takes few values: each is a build of the kernels.
 int largest_cell_grid(int sites);
 
 /// Directions that sample cells, CellDirections of kernels/lib/cells.cl.

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "options/option_values.h"
+#include "shared/weights.h"
 #include "util/error.h"
 
 namespace pencil {
@@ -16,7 +17,9 @@ namespace {
 /// More pencils, light samples or seconds than any device or patience has.
 constexpr int many = 1 << 20;
 constexpr double long_time = 1e6;
-constexpr int most_bounces = 1000, most_rays = 1 << 12;
+constexpr int most_bounces = 1000;
+/// More than cells can be told apart.
+constexpr int most_rays = PENCIL_CELL_LARGEST_GRID * PENCIL_CELL_LARGEST_GRID / PENCIL_CELL_DIRECTIONS;
 constexpr double most_efficacy = 1e6;  // [lm/W]
 /// Octahedral maps: whole blocks of 8 x 8 texels.
 constexpr int map_step = 8, largest_map = 1024;

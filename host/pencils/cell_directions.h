@@ -1,4 +1,4 @@
-// Directions over the hemisphere about +z that sample hemispherical Voronoi cells.
+// Directions over the hemisphere about +z that sample cells of it, Voronoi's or of a power diagram.
 #pragma once
 
 #include <vector>

@@ -17,5 +17,8 @@
 #define RAY_B 5
 #define RAY_FIELDS 6
 
-// Voronoi cells are sampled by tiles of so many directions.
+// Cells, Voronoi's or of a power diagram, are sampled by tiles of so many directions.
 #define PENCIL_CELL_TILE 16
+// So many directions a site, up to the square of this grid.
+#define PENCIL_CELL_DIRECTIONS 4
+#define PENCIL_CELL_LARGEST_GRID 48

@@ -26,7 +26,9 @@ dvec3 colour_of(int plane) { return {0.1 + plane, 0.5 + 0.25 * (plane % 7), 1.0 
 
 /// A scene with pencils whose maps hold the colour of the plane that light comes from, projected with rays.
 struct RayScene {
-    RayScene(TestScene test_scene, int pencils, int limit, std::uint32_t seed) : scene(std::move(test_scene)) {
+    /// `stretch`: how much is done at once; `found` holds the rays of the last.
+    RayScene(TestScene test_scene, int pencils, int limit, std::uint32_t seed, const RayStretch& stretch = {1 << 20, 1 << 20})
+        : scene(std::move(test_scene)) {
         Random random(seed);
         Features features;
         features.weights = PENCIL_WEIGHTS_POWER;
@@ -40,15 +42,18 @@ struct RayScene {
         const Surfels surfels = gathered(kernels, on_device, random_centres(random, 3, 0.6), 16, limit);
         host = std::make_unique<HostSurfels>(surfels);
         WeightTables tables(kernels);
-        project_rays(kernels, on_device, surfels, 0, surfels.count, set, test_space(), {ray_side, seed, 0}, tables.rays());
         Buffer<float> by_rays = surfel_rgb(device(), surfels.capacity, "outgoing by rays alone");
-        sum_rays(kernels, surfels, 0, surfels.count, tables.rays(), by_rays);
+        Buffer<float> outgoing = surfel_rgb(device(), surfels.capacity, "outgoing");
+        Buffer<int> visible(device(), host->capacity, "visible");
+        for (int first = 0; first < surfels.count; first += stretch.surfels) {
+            const int end = std::min(first + stretch.surfels, surfels.count);
+            project_rays(kernels, on_device, surfels, first, end, set, test_space(), {ray_side, seed, 0}, stretch, tables.rays());
+            project_pencils(kernels, on_device, surfels, first, end, set, tables, outgoing, visible, "test");
+            sum_rays(kernels, surfels, first, end, tables.rays(), by_rays);
+        }
         alone = by_rays.read();
         ray_capacity = static_cast<std::size_t>(tables.rays().capacity);
         found = tables.rays().data.read();
-        Buffer<float> outgoing = surfel_rgb(device(), surfels.capacity, "outgoing");
-        Buffer<int> visible(device(), host->capacity, "visible");
-        project_pencils(kernels, on_device, surfels, set, tables, outgoing, visible, "test");
         after = outgoing.read();
     }
 
@@ -181,8 +186,7 @@ std::vector<ref::PowerSite> sites_of(const RayScene& s, int i) {
     return sites;
 }
 
-TEST(ProjectRays, CellsOfLinesAndRaysAreThoseOfAPowerDiagram) {
-    const RayScene s(box_scene(134), 40, 256, 4);
+void check_cells(const RayScene& s) {
     const int grid = cell_grid(static_cast<int>(s.centres.size()) + ray_count);
     const std::vector<float4> table = cell_directions(grid);
     double doubt = 0.0, sum = 0.0;
@@ -204,6 +208,33 @@ TEST(ProjectRays, CellsOfLinesAndRaysAreThoseOfAPowerDiagram) {
     }
     EXPECT_LE(wrong, s.host->count / 50);
     EXPECT_LE(doubt, 0.02 * sum) << "too many ties to tell right from wrong";
+}
+
+TEST(ProjectRays, CellsOfLinesAndRaysAreThoseOfAPowerDiagram) { check_cells(RayScene(box_scene(134), 40, 256, 4)); }
+
+TEST(ProjectRays, CellsOfHundredsOfSitesAreThoseOfAPowerDiagram) { check_cells(RayScene(box_scene(135), 200, 256, 5)); }
+
+TEST(ProjectRays, HowMuchIsDoneAtOnceDoesNotMatter) {
+    const RayScene whole(room_scene(136, 12), 24, 500, 6);
+    for (const RayStretch& stretch : {RayStretch{surfel_multiple, 1}, RayStretch{2 * surfel_multiple, 3 * surfel_multiple}}) {
+        const RayScene parts(room_scene(136, 12), 24, 500, 6, stretch);
+        ASSERT_EQ(parts.host->count, whole.host->count);
+        EXPECT_GT(parts.host->count, stretch.surfels);
+        EXPECT_EQ(parts.after, whole.after) << "bit by bit";
+    }
+}
+
+TEST(ProjectRays, StretchesKeepTheDeviceBusyAndLaunchesShort) {
+    const Kernels kernels(device(), Features());
+    for (const int pencils : {1, 128, 4096})
+        for (const int side : {1, 8, 24}) {
+            const RayStretch stretch = ray_stretch(kernels, {side, 0, 0}, pencils);
+            EXPECT_EQ(stretch.surfels % surfel_multiple, 0);
+            EXPECT_LE(stretch.surfels, std::max(stretch.launch, surfel_multiple)) << "one ray of each surfel is a launch at most";
+            EXPECT_GE(kernels.packets(stretch.surfels), device()->info().compute_units)
+                << pencils << " pencils, " << side * side << " rays";
+        }
+    EXPECT_LE(3 * ray_stretch(kernels, {8, 0, 0}, 4096).launch, ray_stretch(kernels, {8, 0, 0}, 128).launch) << "each ray asks all pencils";
 }
 
 }  // namespace
