@@ -87,25 +87,28 @@ kernel void fold_hits(global const Triangle *triangles, global const float4 *pla
     if (texel.x != source.x || texel.y != source.y) hits[target] = hits[oct_atlas_index(tile, source, n)];
     if (texel.x >= n || texel.y >= n) return;  // no footprint starts in the last gutter column or row
 
-    float4 cop = (float4)(cops[tile].xyz, 0.0f);
     int shown[4];
-    float4 directions[4], plane[4];
+    bool inside = min(texel.x, texel.y) >= 0 && max(texel.x, texel.y) < n - 1;  // no corner to be folded
     for (int k = 0; k < 4; ++k) {
-        int2 corner = oct_fold_texel(texel + (int2)(k & 1, k >> 1), n);
-        int triangle = hits[oct_atlas_index(tile, corner, n)].triangle;
+        int2 corner = (int2)(k & 1, k >> 1);
+        int at = inside ? target + corner.y * stride + corner.x : oct_atlas_index(tile, oct_fold_texel(texel + corner, n), n);
+        int triangle = hits[at].triangle;
         shown[k] = triangle < 0 ? -1 : triangles[triangle].plane;
-        plane[k] = planes[max(shown[k], 0)];
-        directions[k] = oct_texel_direction(corner, n);
     }
     int a = 0, b = 0, others = 0;
     for (int k = 1; k < 4; ++k)
         if (shown[k] != shown[a]) b = k;
-    for (int k = 0; k < 4; ++k) others += shown[k] != shown[a] && shown[k] != shown[b] ? 1 : 0;
     int2 cell = (int2)(shown[a], shown[b]);
-    if (a == b) {
+    if (a == b) {  // nearly all of them
         cells[target] = cell;
         groups[target] = (int4)(-1);
         return;
+    }
+    for (int k = 0; k < 4; ++k) others += shown[k] != shown[a] && shown[k] != shown[b] ? 1 : 0;
+    float4 cop = (float4)(cops[tile].xyz, 0.0f), directions[4], plane[4];
+    for (int k = 0; k < 4; ++k) {
+        plane[k] = planes[max(shown[k], 0)];
+        directions[k] = oct_texel_direction(oct_fold_texel(texel + (int2)(k & 1, k >> 1), n), n);
     }
     int4 around = groups_around(tile, texel, n, hits, triangles);
     int near[MOST_GROUPS];
