@@ -1,5 +1,6 @@
 // What options say together, after each has been read by itself.
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 
 #include "app/options.h"
@@ -9,6 +10,9 @@
 namespace pencil {
 
 namespace {
+
+/// In the order of preference.
+constexpr MethodName every_method[] = {MethodName::surface, MethodName::line, MethodName::hybrid};
 
 /// Layers that names of PNGs ask for.
 void add_named_layers(const std::vector<std::filesystem::path>& outputs, std::vector<std::string>& layers) {
@@ -29,11 +33,24 @@ bool fits(const std::string& method, const std::vector<Option>& table, const Giv
         table.begin(), table.end(), [&](const Option& row) { return !given(row) || serves(row, method); });
 }
 
+/// std::invalid_argument if two options are given that no method knows both.
+void check_one_method(const std::vector<Option>& table, const Given& given) {
+    for (auto a = table.begin(); a != table.end(); ++a)
+        for (auto b = a; b != table.end(); ++b) {
+            if (!given(*a) || !given(*b)) continue;
+            const auto both = [&](MethodName method) { return serves(*a, to_string(method)) && serves(*b, to_string(method)); };
+            if (std::none_of(std::begin(every_method), std::end(every_method), both))
+                throw std::invalid_argument(a->flag + " excludes " + b->flag + ": one is an option of --method " + a->methods +
+                                            ", the other of " + b->methods);
+        }
+}
+
 }  // namespace
 
 void settle(RenderCommand& command, const std::vector<Option>& table, const Given& given) {
     const bool named = is_given("--method", table, given);
-    for (const MethodName method : {MethodName::surface, MethodName::line, MethodName::hybrid})
+    if (!named) check_one_method(table, given);
+    for (const MethodName method : every_method)
         if (!named && fits(to_string(method), table, given)) {
             command.options.method = method;
             break;

@@ -43,9 +43,10 @@ std::string explain_iteration(const RenderOptions& options) {
 MethodNeeds line_needs(const Scene& scene, const std::vector<LightForm>& forms, const RenderOptions& options) {
     const int form = kernel_weights(options);
     if (weights_need_even_centres(form) && !fills_box_evenly(options.placement))
-        throw UsageError(
-            "--method hybrid and --weights analytic hold for centres spread evenly, --placement random or lds; take --weights dpdf or "
-            "voronoi");
+        throw UsageError(weights_need_rays(form)
+                             ? "--method hybrid holds for centres spread evenly; take --placement random or lds, or --method line"
+                             : "--weights analytic holds for centres spread evenly; take --placement random or lds, or --weights dpdf or "
+                               "voronoi");
     if (scene.environment || !scene.directional_lights.empty())
         throw UsageError(
             "line projection knows no light from infinitely far away: environments, skies, directional lights; take --method surface");

@@ -40,6 +40,16 @@ INSTANTIATE_TEST_SUITE_P(CommandLine, Refused,
                                          Refusal{{"devices", "extra"}, "extra"}));
 
 INSTANTIATE_TEST_SUITE_P(
+    Together, Refused,
+    testing::Values(
+        Refusal{{"render", "a.xml", "-o", "a.exr", "--time", "3", "--map", "16"},
+                "--time excludes --map: one is an option of --method surface, the other of line, hybrid"},
+        Refusal{{"render", "a.xml", "-o", "a.exr", "--rays", "16", "--weights", "voronoi"},
+                "--weights excludes --rays: one is an option of --method line, the other of hybrid"},
+        Refusal{{"render", "a.xml", "-o", "a.exr", "--field", "f.exr", "--time", "3"}, "--time excludes --field"},
+        Refusal{{"render", "a.xml", "-o", "a.exr", "--method", "surface", "--map", "16"}, "--map: is not an option of --method surface"}));
+
+INSTANTIATE_TEST_SUITE_P(
     Values, Refused,
     testing::Values(option("--pencils", "0", "1 to 1048576"), option("--pencils", "-1", "1 to 1048576"),
                     option("--pencils", "1e99", "1 to 1048576"), option("--pencils", "16x", "1 to 1048576"),
@@ -53,11 +63,11 @@ INSTANTIATE_TEST_SUITE_P(
                     option("--placement", "grid", "random, lds"), option("--placement", "lds+", "random, lds"),
                     option("--placement", "lds+profile+lds", "names lds twice"),
                     option("--weights", "equal", "dpdf, voronoi, analytic, thesis"), option("--iterate", "once", "sets, fixed, levels"),
-                    option("--resolution", "0x0", "WIDTHxHEIGHT"), option("--resolution", "64", "WIDTHxHEIGHT"),
-                    option("--resolution", "64x", "WIDTHxHEIGHT"), option("--resolution", "64x-3", "WIDTHxHEIGHT"),
-                    option("--resolution", "1000001x1", "1 to 1000000"), option("--seed", "-1", "18446744073709551615"),
-                    option("--aov", "colour", "emission, direct"), option("--aov", "", "emission, direct"),
-                    option("-D", "depth", "name=value"), option("-D", "=3", "name=value")));
+                    option("--rays", "577", "1 to 576"), option("--resolution", "0x0", "WIDTHxHEIGHT"),
+                    option("--resolution", "64", "WIDTHxHEIGHT"), option("--resolution", "64x", "WIDTHxHEIGHT"),
+                    option("--resolution", "64x-3", "WIDTHxHEIGHT"), option("--resolution", "1000001x1", "1 to 1000000"),
+                    option("--seed", "-1", "18446744073709551615"), option("--aov", "colour", "emission, direct"),
+                    option("--aov", "", "emission, direct"), option("-D", "depth", "name=value"), option("-D", "=3", "name=value")));
 
 TEST(Usage, AnOptionGivenTwiceIsRefused) {
     const RunResult result = run_pencil({"render", "a.xml", "-o", "a.exr", "--pencils", "4", "--pencils", "5"});
