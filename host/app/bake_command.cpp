@@ -13,6 +13,7 @@
 #include "render/render.h"
 #include "scene/formats/load_scene.h"
 #include "util/error.h"
+#include "util/format.h"
 #include "util/log.h"
 #include "util/progress.h"
 #include "util/stopwatch.h"
@@ -22,6 +23,29 @@ namespace {
 
 /// Width of the image that finds the rooms which the camera sees.
 constexpr int finder_width = 64;
+
+/// Reflections that the light of the scene's field makes at most: a film that shows it makes one more.
+int field_orders(const Scene& scene, const std::filesystem::path& path) {
+    if (scene.max_depth < 0) return endless_orders;
+    const int orders = scene.max_depth - 2;
+    if (orders < 1)
+        throw SceneError(path.string(), fmt::format("its max_depth of {} leaves no light that one surface sends to another: there is "
+                                                    "nothing to bake; 3 is the least, -1 no limit",
+                                                    scene.max_depth));
+    return orders;
+}
+
+/// MemoryError if a field of this size cannot be made here, UsageError if it could not be read again.
+void check_field(int pencils, int map) {
+    check_field_size(pencils, map);
+    constexpr std::uint64_t texel_bytes = 56;  // sums in double precision, counts, and the image twice
+    const std::uint64_t needed = field_bytes(pencils, map) / (3 * sizeof(float)) * texel_bytes, present = machine_memory();
+    if (needed > present)
+        throw MemoryError(
+            fmt::format("to make a field of {} pencils with maps of {} x {} texels takes {}, this machine has {}; try fewer "
+                        "--pencils or a smaller --map",
+                        pencils, map, map, format_size(needed), format_size(present)));
+}
 
 RenderOptions bake_options(const BakeCommand& command, const Scene& scene) {
     RenderOptions options = command.options;
@@ -37,18 +61,14 @@ RenderOptions bake_options(const BakeCommand& command, const Scene& scene) {
 
 /// Reflected light along the rays of the pencils; false if it was interrupted before every texel had a path.
 bool trace_light(const Scene& scene, const BakeCommand& command, const ReferenceProgress& progress, PencilField& field) {
+    field.light = {};  // the pencils alone are asked for
     ReferenceOptions options = command.paths;
     options.field = std::make_shared<PencilField>(field);
-    options.bounces = true;
-    if (scene.max_depth > 1) options.max_depth = scene.max_depth - 1;  // the film reflects once more
+    options.max_depth = field.orders < 0 ? -1 : field.orders + 1;
     options.seed = command.options.seed;
-    const ReferenceResult result = trace_paths(scene, options, progress);
+    ReferenceResult result = trace_paths(scene, options, progress);
     for (const std::string& warning : result.warnings) print_warning(warning);
-    const auto pixels = [&](const std::string& name) -> const std::vector<float>& {
-        return std::find_if(result.layers.begin(), result.layers.end(), [&](const Layer& layer) { return layer.name == name; })->pixels;
-    };
-    const std::vector<float>&all = pixels(""), &emission = pixels("emission");
-    for (std::size_t i = 0; i < field.light.size(); ++i) field.light[i] = std::max(all[i] - emission[i], 0.0F);
+    field.light = std::move(result.layers.front().pixels);
     return result.spp > 0;
 }
 
@@ -59,8 +79,10 @@ ExitCode run_bake(const BakeCommand& command) {
     set_quiet(command.quiet);
     check_outputs({command.output}, {}, command.scene);
     if (image_format(command.output) != ImageFormat::exr) throw UsageError("--output: a field is an OpenEXR file, .exr");
+    check_field(command.options.pencils, command.options.map);
     const Scene scene = load_scene(command.scene, command.load);
     for (const std::string& warning : scene.warnings) print_warning(warning);
+    const int orders = field_orders(scene, command.scene);
     ProgressDisplay display(command.quiet ? ProgressDisplay::Style::none : ProgressDisplay::style_for(stderr));
     const auto progress = [&display](const std::string& stage, double fraction) {
         display.update(stage, fraction);
@@ -70,6 +92,7 @@ ExitCode run_bake(const BakeCommand& command) {
     for (const std::string& warning : result.stats.warnings) print_warning(warning);
     if (!result.failure.empty() && interrupted_by() == 0) throw DeviceError(result.failure);
     bool whole = result.field && !result.interrupted;
+    if (result.field) result.field->orders = orders;
     if (whole && command.from == BakeFrom::reference) whole = trace_light(scene, command, progress, *result.field);
     if (!whole && interrupted_by() != 0) {
         print_error("interrupted before the field was whole; nothing is written");

@@ -60,15 +60,19 @@ std::string interruption(const std::vector<fs::path>& written) {
     return written.empty() ? "interrupted; nothing is written" : "interrupted; the partial result is written";
 }
 
+std::uint64_t machine_memory() {
+    return static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+}
+
 void check_film_memory(int width, int height, const std::vector<std::string>& aovs) {
     const int bounce_layers = 8;  // a guess that errs on the small side: what fails here could never have worked
     const int layers = 1 + static_cast<int>(aovs.size()) + (has_group(aovs, bounces_group) ? bounce_layers - 1 : 0);
     const double needed = static_cast<double>(width) * height * layers * 3 * sizeof(float);
-    const double present = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
-    if (needed > present) {
+    const std::uint64_t present = machine_memory();
+    if (needed > static_cast<double>(present)) {
         throw MemoryError(fmt::format(
             "an image of {}x{} pixels with about {} layers needs {}, this machine has {}; try a smaller --resolution or --aov none", width,
-            height, layers, format_size(static_cast<std::uint64_t>(needed)), format_size(static_cast<std::uint64_t>(present))));
+            height, layers, format_size(static_cast<std::uint64_t>(needed)), format_size(present)));
     }
 }
 

@@ -1,6 +1,7 @@
 // Judges, before any work is done, whether the results can be stored: in files, and in memory until then.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -28,6 +29,9 @@ WrittenImages write_images(const std::vector<std::filesystem::path>& outputs, co
 
 /// What is said of an interrupted run.
 std::string interruption(const std::vector<std::filesystem::path>& written);
+
+/// Bytes of memory that this machine has.
+std::uint64_t machine_memory();
 
 /// MemoryError if the image's layers alone exceed this machine's memory.
 void check_film_memory(int width, int height, const std::vector<std::string>& aovs);

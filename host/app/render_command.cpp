@@ -90,12 +90,12 @@ std::vector<std::filesystem::path> write_layers(RunReport& report, const RenderR
 }
 
 /// The options with the field that is to be shown, whose pencils and maps are the render's.
-RenderOptions with_field(const RenderCommand& command) {
+RenderOptions with_field(RunReport& report, const RenderCommand& command) {
     RenderOptions options = command.options;
     if (command.field.empty()) return options;
     for (const std::filesystem::path& output : command.outputs)
         if (same_file(output, command.field)) throw OutputError("cannot write " + output.string() + ": it is the --field");
-    options.field = std::make_shared<PencilField>(read_field(command.field));
+    options.field = timed(report, "load field", [&] { return std::make_shared<PencilField>(read_field(command.field)); });
     options.pencils = options.field->count();
     options.map = options.field->map;
     return options;
@@ -112,7 +112,7 @@ ExitCode run_render(const RenderCommand& command) {
     add_warnings(report, scene.warnings);
     report.scene_fingerprint = scene_fingerprint(scene);
 
-    report.options = resolve(with_field(command), scene);
+    report.options = resolve(with_field(report, command), scene);
     report.width = report.options.width;
     report.height = report.options.height;
     if (has_photometric(command.options.aovs)) add_warnings(report, mixed_lights(scene, command.options.lumens_per_watt));

@@ -10,14 +10,17 @@
 #include "image/read_image.h"
 #include "image/write_image.h"
 #include "util/error.h"
+#include "util/format.h"
 
 namespace pencil {
 
 namespace {
 
-constexpr const char *centres_key = "pencil:centres", *map_key = "pencil:map", *share_key = "pencil:freeShare", *from_key = "pencil:from";
+constexpr const char *centres_key = "pencil:centres", *map_key = "pencil:map", *share_key = "pencil:freeShare",
+                     *orders_key = "pencil:orders", *from_key = "pencil:from";
 constexpr int map_step = 8, largest_map = 1024;
 constexpr std::size_t most_pencils = 1 << 16;
+constexpr int most_orders = 1 << 20;
 constexpr double largest_coordinate = 1e30;
 
 [[noreturn]] void no_field(const std::filesystem::path& path, const std::string& why) {
@@ -54,12 +57,30 @@ std::vector<glm::dvec3> read_centres(const Image& image, const std::filesystem::
 
 }  // namespace
 
+std::uint64_t field_bytes(int pencils, int map) {
+    PencilField field;
+    field.map = map;
+    field.centres.resize(static_cast<std::size_t>(pencils));
+    return std::uint64_t{3} * sizeof(float) * static_cast<std::uint64_t>(field.width()) * static_cast<std::uint64_t>(field.height());
+}
+
+void check_field_size(int pencils, int map) {
+    const std::uint64_t bytes = field_bytes(pencils, map);
+    if (bytes > largest_image)
+        throw UsageError(
+            fmt::format("a field of {} pencils with maps of {} x {} texels takes {}, and a render accepts {} at most; try fewer "
+                        "--pencils or a smaller --map",
+                        pencils, map, map, format_size(bytes), format_size(largest_image)));
+}
+
 void write_field(const std::filesystem::path& path, const PencilField& field, const std::string& from) {
     std::string centres;
     for (const glm::dvec3& c : field.centres)
         centres += fmt::format("{}{:.17g} {:.17g} {:.17g}", centres.empty() ? "" : " ", c.x, c.y, c.z);
     const LayeredImage image{field.width(), field.height(), {{"", 3, field.light.data()}}};
-    write_image(path, image, {{centres_key, centres}, {map_key, field.map}, {share_key, field.free_share}, {from_key, from}});
+    Metadata header{{centres_key, centres}, {map_key, field.map}, {share_key, field.free_share}, {from_key, from}};
+    if (field.orders >= 0) header[orders_key] = field.orders;
+    write_image(path, image, header);
 }
 
 PencilField read_field(const std::filesystem::path& path) {
@@ -68,6 +89,7 @@ PencilField read_field(const std::filesystem::path& path) {
     field.map = static_cast<int>(number(image, map_key, map_step, largest_map, path));
     if (field.map % map_step != 0) no_field(path, fmt::format("{} is not a multiple of {}", map_key, map_step));
     field.free_share = number(image, share_key, 0, 1, path);
+    if (image.metadata.count(orders_key) > 0) field.orders = static_cast<int>(number(image, orders_key, 1, most_orders, path));
     field.centres = read_centres(image, path);
     if (image.width != field.width() || image.height != field.height())
         no_field(path, fmt::format("{} maps of {} texels make an image of {}x{}, it has {}x{}", field.count(), field.map, field.width(),

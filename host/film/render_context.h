@@ -1,6 +1,7 @@
 // What is made once per render, whatever the method and however many steps it takes.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 
 #include "device/device_scene.h"
@@ -15,6 +16,9 @@
 #include "scene/scene.h"
 
 namespace pencil {
+
+/// RenderOptions::bounces of a scene's max_depth, which counts the emitter as the first vertex of a path.
+inline int scene_bounces(const Scene& scene) { return scene.max_depth < 0 ? endless_bounces : std::max(scene.max_depth - 1, 0); }
 
 /// What the method of `options` needs for this scene; `forms`: how each shape's light enters.
 using NeedsOf = MethodNeeds (*)(const Scene& scene, const std::vector<LightForm>& forms, const RenderOptions& options);

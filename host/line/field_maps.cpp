@@ -38,6 +38,39 @@ std::size_t atlas_index(int tile, const glm::ivec2& t, int n) {
            static_cast<std::size_t>(t.x + PENCIL_GUTTER);
 }
 
+/// A texel of a tile on the device, gutters too.
+struct FieldTexel {
+    std::size_t at, inside;  // itself, and the interior texel that it repeats, in the tile
+    std::size_t light;       // the first value of the texel of the field's tile that its light is in, from the tile's first value on
+};
+
+std::vector<FieldTexel> texels_of(const PencilField& field) {
+    const int n = field.map;
+    std::vector<FieldTexel> texels;
+    for (int y = -1; y <= n; ++y)
+        for (int x = -1; x <= n; ++x) {
+            const glm::ivec2 inside = folded({x, y}, n), seen = antipode(inside, n);
+            texels.push_back({atlas_index(0, {x, y}, n), atlas_index(0, inside, n), field.index(0, seen.x, seen.y)});
+        }
+    return texels;
+}
+
+/// Calls `work(index, inside, light)` for all texels of the atlas: its index, that of the interior texel which it repeats, and its light.
+template <typename Work>
+void for_texels(const PencilField& field, double unit, const Work& work) {
+    const std::vector<FieldTexel> texels = texels_of(field);
+    for (int tile = 0; tile < field.count(); ++tile) {
+        const float* const first = &field.light[field.index(tile, 0, 0)];
+        const std::size_t target = static_cast<std::size_t>(tile) * texels.size();
+        for (const FieldTexel& t : texels) {
+            const auto on_device = [&](std::size_t c) {
+                return static_cast<float>(std::min(static_cast<double>(first[t.light + c]) / unit, most_light));
+            };
+            work(target + t.at, target + t.inside, glm::vec3(on_device(0), on_device(1), on_device(2)));
+        }
+    }
+}
+
 }  // namespace
 
 std::vector<float4> field_centres(const PencilField& field, const FlatScene& flat) {
@@ -56,16 +89,16 @@ std::vector<float4> field_centres(const PencilField& field, const FlatScene& fla
 }
 
 void add_field(const PencilField& field, double unit, PencilSet& set) {
-    const int n = field.map;
     std::vector<float4> radiance = set.radiance.read();
-    for (int tile = 0; tile < field.count(); ++tile)
-        for (int y = -1; y <= n; ++y)
-            for (int x = -1; x <= n; ++x) {
-                const glm::ivec2 seen = antipode(folded({x, y}, n), n);
-                const float* light = &field.light[field.index(tile, seen.x, seen.y)];
-                float4& texel = radiance[atlas_index(tile, {x, y}, n)];
-                for (int c = 0; c < 3; ++c) texel[c] += static_cast<float>(std::min(light[c] / unit, most_light));
-            }
+    for_texels(field, unit, [&](std::size_t at, std::size_t, const glm::vec3& light) { radiance[at] += float4(light, 0.0F); });
+    set.radiance.write(radiance);
+}
+
+void set_field(const PencilField& field, double unit, bool weights, PencilSet& set) {
+    std::vector<float4> radiance = weights ? set.radiance.read() : std::vector<float4>(set.radiance.size());
+    for_texels(field, unit, [&](std::size_t at, std::size_t inside, const glm::vec3& light) {
+        radiance[at] = float4(light, weights ? radiance[inside].w : 0.0F);
+    });
     set.radiance.write(radiance);
 }
 

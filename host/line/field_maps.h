@@ -16,6 +16,10 @@ std::vector<float4> field_centres(const PencilField& field, const FlatScene& fla
 /// Adds the light of the field to the maps of a set with the same centres. `unit`: radiance of the field per radiance on the device.
 void add_field(const PencilField& field, double unit, PencilSet& set);
 
+/// Makes it all the light of the maps, whose radiance is not defined. `weights`: the density weights of interior texels are there; the gutters
+/// get theirs.
+void set_field(const PencilField& field, double unit, bool weights, PencilSet& set);
+
 /// Light of one set after another that share their maps.
 class FieldSum {
 public:

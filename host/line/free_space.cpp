@@ -111,7 +111,7 @@ std::vector<bool> FreeSpace::accepted(Kernels& kernels, const GeometryMaps& maps
 }
 
 double FreeSpace::share() const {
-    if (assumed_share_ >= 0) return assumed_share_;
+    if (given_share_ >= 0) return given_share_;
     const int rejected = in_solids_ + unreached_;
     return candidates_ > rejected ? 1.0 - static_cast<double>(rejected) / candidates_ : 1.0;
 }

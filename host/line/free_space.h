@@ -32,6 +32,8 @@ public:
     /// `film` gives the surfels of the image. `lights` may be null.
     FreeSpace(Kernels& kernels, const DeviceScene& scene, const FlatScene& flat, const Surfels& film, const GeometryMaps* lights,
               int map_size);
+    /// Of centres that are given, uniform in `share` of the scene's box: no rooms are looked for and nothing is created.
+    FreeSpace(const DeviceScene& scene, const FlatScene& flat, double share) : scene_(scene), flat_(flat), given_share_(share) {}
 
     /// Geometry maps of `count` centres of set number `set`, rasterised and folded; rejected centres are replaced by the next of the
     /// source. If most_rounds rounds do not find all, the set is smaller; if they find none, the last round's centres are taken.
@@ -44,9 +46,7 @@ public:
     int unreached() const { return unreached_; }
     /// The box of the candidates, and by the share of them accepted so far the volume of the part of it where centres are.
     CentreSpace space() const;
-    /// The same share, known from elsewhere.
     double share() const;
-    void assume_share(double share) { assumed_share_ = share; }
 
     static constexpr int most_rounds = 16;
 
@@ -58,12 +58,12 @@ private:
 
     const DeviceScene& scene_;
     const FlatScene& flat_;
-    int map_size_;
+    int map_size_ = 0;
     std::set<int> rooms_;
     std::vector<uint> reached_;  // bit set of sides, see find_sides.h
     bool any_reached_ = false;
     int candidates_ = 0, in_solids_ = 0, unreached_ = 0;
-    double assumed_share_ = -1;  // below 0: it follows from those
+    double given_share_ = -1;  // below 0: it follows from those
 };
 
 }  // namespace pencil

@@ -73,6 +73,7 @@ bool LineMethod::advance() {
     }
     if (projected_ == 0) {
         find_rooms();
+        make_solver();
         make_first_set();
     } else {
         // Emitters of the other form join the maps after one bounce: from there on both carry order 1.
@@ -88,11 +89,21 @@ bool LineMethod::advance() {
 /// A field made elsewhere instead of sets: one projection-scatter of the light of all orders (thesis ch. 7, "fields made by another renderer").
 void LineMethod::show_field() {
     const PencilField& field = *context_.options.field;
-    find_rooms();
-    free_space_->assume_share(field.free_share);
+    if (context_.options.bounces != scene_bounces(context_.scene))
+        context_.stats.warnings.push_back(
+            fmt::format("the scene's max_depth of {} does not count: the light of the --field is of {}", context_.scene.max_depth,
+                        field.orders < 0 ? "all orders of reflection" : fmt::format("up to {} reflections", field.orders)));
+    free_space_ = std::make_unique<FreeSpace>(context_.device_scene, context_.flat, field.free_share);
+    make_solver();
     set_ = solver_->create_at(field_centres(field, context_.flat));
-    solver_->fill(set_, nullptr, context_.maps_emit, false, true);
-    add_field(field, context_.flat.normalisation.light, set_);
+    const double unit = context_.flat.normalisation.light;
+    if (context_.maps_emit) {
+        solver_->fill(set_, nullptr, true, false, true);
+        context_.clock.run("field", [&] { add_field(field, unit, set_); });
+    } else {
+        solver_->weigh(set_);
+        context_.clock.run("field", [&] { set_field(field, unit, weights_in_maps(context_.kernels.features().weights), set_); });
+    }
     const double seconds = project_set();
     frame_->finish_bounce(FilmLayers::indirect, field.count(), seconds);
 }
@@ -125,19 +136,20 @@ bool LineMethod::begin() {
 
 void LineMethod::find_rooms() {
     const LightSet& lights = frame_->lights();
+    context_.clock.run("rooms", [&] {
+        free_space_ = std::make_unique<FreeSpace>(context_.kernels, context_.device_scene, context_.flat, frame_->film().surfels(),
+                                                  lights.maps.count > 0 ? &lights.maps : nullptr, context_.options.map);
+    });
+}
+
+void LineMethod::make_solver() {
     visible_ = Buffer<int>(context_.kernels.device(), static_cast<std::size_t>(frame_->film().surfels().capacity), "visible pencils");
-    context_.clock.run(
-        "rooms",
-        [&] {
-            free_space_ = std::make_unique<FreeSpace>(context_.kernels, context_.device_scene, context_.flat, frame_->film().surfels(),
-                                                      lights.maps.count > 0 ? &lights.maps : nullptr, context_.options.map);
-        });
     context_.clock.run("pencil maps", [&] {
         candidates_ = make_candidate_source({context_.kernels, context_.device_scene, context_.scene, context_.flat, context_.options.seed},
                                             context_.options.placement);
     });
-    solver_ = std::make_unique<PencilSolver>(context_.kernels, context_.device_scene, *free_space_, *candidates_, lights, context_.options,
-                                             context_.clock);
+    solver_ = std::make_unique<PencilSolver>(context_.kernels, context_.device_scene, *free_space_, *candidates_, frame_->lights(),
+                                             context_.options, context_.clock);
 }
 
 void LineMethod::make_first_set() {
@@ -209,7 +221,12 @@ void LineMethod::close_series() {
 std::vector<Layer> LineMethod::snapshot() const { return frame_ ? frame_->snapshot() : std::vector<Layer>(); }
 std::vector<Layer> LineMethod::take() { return frame_ ? frame_->take_layers() : std::vector<Layer>(); }
 
-std::shared_ptr<PencilField> LineMethod::field() const { return field_sum_ ? std::make_shared<PencilField>(field_sum_->field()) : nullptr; }
+std::shared_ptr<PencilField> LineMethod::field() const {
+    if (!field_sum_) return nullptr;
+    auto field = std::make_shared<PencilField>(field_sum_->field());
+    if (context_.options.bounces >= 0) field->orders = context_.options.bounces - 1;  // the film makes the last
+    return field;
+}
 
 std::vector<std::string> LineMethod::explain() const {
     const RenderOptions& options = context_.options;
@@ -217,7 +234,8 @@ std::vector<std::string> LineMethod::explain() const {
                                    explain_iteration(options)};
     if (options.bounces == 1) lines.push_back("left out: all pencil sets that do not carry direct light (one reflection)");
     if (options.field)
-        lines = {lines.front(), fmt::format("left out: transport between pencils; the light is that of a field of {}", options.pencils)};
+        return {lines.front(), fmt::format("left out: rooms, placement and transport between pencils; the light is that of a field of {}",
+                                           options.pencils)};
     if (projected_ == 0) return lines;
     std::string rooms;
     for (int shape : free_space_->rooms()) rooms += (rooms.empty() ? "" : ", ") + context_.scene.shapes[static_cast<std::size_t>(shape)].id;

@@ -31,6 +31,7 @@ private:
     void show_field();
     void show_levels();
     void find_rooms();
+    void make_solver();
     void make_first_set();
     PencilSet next_set(bool direct);
     void project();

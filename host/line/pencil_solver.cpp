@@ -109,6 +109,34 @@ void PencilSolver::project(const Surfels& surfels, const PencilSet& source, cons
     }
 }
 
+/// Visibility masks of the surfels, where weights need any.
+Buffer<uint> PencilSolver::masks(const Surfels& surfels, int pencils) const {
+    if (!weights_need_masks(form())) return {};
+    return {kernels_.device(), static_cast<std::size_t>(surfels.capacity) * static_cast<std::size_t>(mask_words(pencils)),
+            "visibility masks"};
+}
+
+/// Weights of tiles first .. first + count; surfels: what their texels see, for forms that need masks.
+void PencilSolver::weigh_tiles(PencilSet& target, int first, int count, const Surfels& surfels, Buffer<uint>& mask) {
+    if (!weights_need_masks(form())) return free_path_density(kernels_, first, count, free_space_.space(), target);
+    test_visibility(kernels_, scene_, surfels, *target.maps, mask);
+    estimate_density(kernels_, surfels, mask, first, target);
+}
+
+void PencilSolver::weigh(PencilSet& target) {
+    if (!weights_in_maps(form())) return;
+    const bool seen = weights_need_masks(form());
+    const int n = target.maps->n, tiles = seen ? chunk_tiles(n, target.maps->count) : target.maps->count;
+    Surfels surfels = seen ? Surfels(kernels_, tiles * n * n, "surfels of pencil maps") : Surfels();
+    Buffer<uint> mask = masks(surfels, target.maps->count);
+    for (int first = 0; first < target.maps->count; first += tiles)
+        clock_.run("pencil density", [&] {
+            const int count = std::min(tiles, target.maps->count - first);
+            if (seen) gather_surfels(kernels_, scene_, *target.maps, first, count, surfels);
+            weigh_tiles(target, first, count, surfels, mask);
+        });
+}
+
 void PencilSolver::fill(PencilSet& target, const PencilSet* source, bool emission, bool direct, bool weights) {
     ++sets_;
     const auto& device = kernels_.device();
@@ -118,10 +146,7 @@ void PencilSolver::fill(PencilSet& target, const PencilSet* source, bool emissio
     Buffer<float> outgoing = surfel_rgb(device, surfels.capacity, "radiance of pencil maps");
     Buffer<int> visible(device, static_cast<std::size_t>(surfels.capacity), "visible pencils");
     const bool density = weights && weights_in_maps(form());
-    Buffer<uint> mask;
-    if (density && weights_need_masks(form()))
-        mask = Buffer<uint>(device, static_cast<std::size_t>(surfels.capacity) * static_cast<std::size_t>(mask_words(target.maps->count)),
-                            "visibility masks");
+    Buffer<uint> mask = density ? masks(surfels, target.maps->count) : Buffer<uint>();
     for (int first = 0; first < target.maps->count; first += tiles) {
         const int count = std::min(tiles, target.maps->count - first);
         times_.transport += clock_.run(source ? "pencil transport" : "initial gather", [&] {
@@ -130,12 +155,7 @@ void PencilSolver::fill(PencilSet& target, const PencilSet* source, bool emissio
         });
         if (!density) continue;
         clock_.run("pencil density", [&] {
-            if (weights_need_masks(form())) {
-                test_visibility(kernels_, scene_, surfels, *target.maps, mask);
-                estimate_density(kernels_, surfels, mask, first, target);
-            } else {
-                free_path_density(kernels_, first, count, free_space_.space(), target);
-            }
+            weigh_tiles(target, first, count, surfels, mask);
             store_radiance(kernels_, surfels, outgoing, first, count, target);
         });
     }

@@ -39,6 +39,9 @@ public:
     /// The same pencils with the light of `set` after one more bounce, and reflected direct light where it joins (`direct`).
     PencilSet reflect(const PencilSet& set, bool direct);
 
+    /// The weights alone; without any the radiance of `target` stays undefined. Gutters are left alone.
+    void weigh(PencilSet& target);
+
     /// Adds the radiance of `source` reflected by the surfels, and the light of their own rays where the form of weights has any; `rays`
     /// says which. `visible` gets the number of pencils that each surfel sees. `what`: "pencil transport" or "projection-scatter".
     void project(const Surfels& surfels, const PencilSet& source, const RayChoice& rays, Buffer<float>& outgoing, Buffer<int>& visible,
@@ -50,6 +53,8 @@ public:
 private:
     std::vector<float4> power_seen(std::shared_ptr<GeometryMaps> maps, const PencilSet* source, bool emission, bool direct);
     int form() const { return kernels_.features().weights; }
+    Buffer<uint> masks(const Surfels& surfels, int pencils) const;
+    void weigh_tiles(PencilSet& target, int first, int count, const Surfels& surfels, Buffer<uint>& mask);
     void send(const GeometryMaps& maps, int first, int count, const PencilSet* source, bool emission, bool direct, Surfels& surfels,
               Buffer<float>& outgoing, Buffer<int>& visible);
 

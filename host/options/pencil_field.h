@@ -8,10 +8,13 @@
 
 namespace pencil {
 
+constexpr int endless_orders = -1;  // PencilField::orders: no limit
+
 /// The maps are octahedral, thesis eq. (4.25), about the world's axes: a texel shows the light that comes from where it looks to. They stand in one
 /// image, tile after tile in rows.
 struct PencilField {
     int map = 0;                      // width of a map [texels], a multiple of 8
+    int orders = endless_orders;      // reflections that the light has made, at most
     double free_share = 1;            // of the scene's box, where centres may lie: they are uniform there
     std::vector<glm::dvec3> centres;  // [world units]
     std::vector<float> light;         // reflected radiance, rgb of each texel of the image; emission is not among it [W m^-2 sr^-1]

@@ -22,7 +22,7 @@ struct ReferenceOptions {
     bool surfaces = false;    // layers "albedo", "depth", "position", "normal"
     bool variance = false;    // layer "variance": of the mean in each pixel and channel, from independent sets of samples, which are
                               // stratified less than one: the image is noisier
-    std::shared_ptr<const PencilField> field;  // the image is that of its maps, whose centres and width count; no camera
+    std::shared_ptr<const PencilField> field;  // the image is the reflected light of its maps, whose centres and width count; no camera
 };
 
 }  // namespace pencil

@@ -33,17 +33,20 @@ Layer make_layer(const std::string& name, const std::vector<int>& samples, const
 
 }  // namespace
 
-FilmSums::FilmSums(int width, int height, const ReferenceOptions& options) : max_depth_(options.max_depth), variance_(options.variance) {
+FilmSums::FilmSums(int width, int height, const ReferenceOptions& options)
+    : first_order_(options.field ? 1 : 0), max_depth_(options.max_depth), variance_(options.variance) {
     const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     total_.resize(pixels, glm::dvec3(0));
-    ended_.resize(pixels, glm::dvec3(0));
-    squares_.resize(pixels, glm::dvec3(0));
+    if (variance_ || !options.field) {
+        ended_.resize(pixels, glm::dvec3(0));
+        squares_.resize(pixels, glm::dvec3(0));
+    }
     if (options.bounces) orders_.resize(static_cast<std::size_t>(orders_of(max_depth_)), std::vector<glm::dvec3>(pixels, glm::dvec3(0)));
     if (options.surfaces) surfaces_.resize(pixels);
 }
 
 void FilmSums::add(std::size_t pixel, const PathSums& paths, const SurfaceSums& surfaces) {
-    for (int k = 0; k < paths.orders; ++k) {
+    for (int k = first_order_; k < paths.orders; ++k) {
         const auto order = static_cast<std::size_t>(k);
         total_[pixel] += glm::dvec3(paths.radiance[order]);
         if (!orders_.empty()) orders_[order][pixel] += glm::dvec3(paths.radiance[order]);
@@ -57,6 +60,7 @@ void FilmSums::add(std::size_t pixel, const PathSums& paths, const SurfaceSums& 
 }
 
 void FilmSums::end_set(std::size_t pixel, int samples) {
+    if (ended_.empty()) return;
     const glm::dvec3 set = total_[pixel] - ended_[pixel];
     squares_[pixel] += set * set / static_cast<double>(samples);
     ended_[pixel] = total_[pixel];
@@ -113,7 +117,7 @@ glm::dvec3 FilmSums::variance(std::size_t pixel, int samples, int sets) const {
 }
 
 double FilmSums::relative_mean_square_error(const std::vector<int>& samples, const std::vector<int>& sets) const {
-    if (*std::min_element(sets.begin(), sets.end()) < 2) return std::numeric_limits<double>::infinity();
+    if (ended_.empty() || *std::min_element(sets.begin(), sets.end()) < 2) return std::numeric_limits<double>::infinity();
     const auto values = static_cast<double>(3 * total_.size());
     double mean = 0, sum = 0;
     for (std::size_t i = 0; i < total_.size(); ++i) mean += glm::compAdd(total_[i]) / samples[i] / values;

@@ -32,10 +32,12 @@ private:
                             std::vector<Layer>& layers) const;
     glm::dvec3 variance(std::size_t pixel, int samples, int sets) const;
 
+    int first_order_;  // 1 of a field, which holds reflected light alone
     int max_depth_;
     bool variance_;
     std::vector<glm::dvec3> total_;
-    std::vector<glm::dvec3> ended_, squares_;      // of ended sets: their sum, and the sum of (sum of a set)^2 / its samples
+    std::vector<glm::dvec3> ended_, squares_;      // of ended sets: their sum, and the sum of (sum of a set)^2 / its samples; empty for
+                                                   // a field whose variance nobody asks for
     std::vector<std::vector<glm::dvec3>> orders_;  // as PathSums::radiance, empty if not wanted
     std::vector<SurfaceSums> surfaces_;
 };

@@ -32,6 +32,15 @@ bool has_lobes(const Scene& scene) {
         [](const SceneMaterial& m) { return m.model != MATERIAL_DIFFUSE && m.model != MATERIAL_BLEND; });
 }
 
+/// A field has the orders that it has: no --bounces beside it.
+int bounces_of(const PencilField& field, int asked) {
+    const int shown = field.orders < 0 ? endless_bounces : field.orders + 1;
+    if (asked != bounces_of_scene && asked != shown)
+        throw UsageError("--bounces: is decided by the --field, which holds " +
+                         (field.orders < 0 ? "all orders of reflection" : fmt::format("light of up to {} reflections", field.orders)));
+    return shown;
+}
+
 RenderOptions checked(const RenderOptions& options, const Scene& scene, const Device& device) {
     RenderOptions complete = resolve(options, scene);
     if ((complete.irradiance || !scene.sensor_points.empty()) && complete.method != MethodName::surface)
@@ -48,8 +57,8 @@ RenderOptions resolve(const RenderOptions& options, const Scene& scene) {
     if (complete.target_error == target_of_scene) complete.target_error = standard_target(has_lobes(scene));
     if (complete.pencils == pencils_of_method) complete.pencils = standard_pencils(complete.method);
     if (complete.least_pencils == pencils_of_method) complete.least_pencils = standard_least_pencils(complete.method);
-    // max_depth counts the emitter as the first vertex of a path.
-    if (complete.bounces == bounces_of_scene) complete.bounces = scene.max_depth < 0 ? endless_bounces : std::max(scene.max_depth - 1, 0);
+    if (complete.bounces == bounces_of_scene) complete.bounces = scene_bounces(scene);
+    if (complete.field) complete.bounces = bounces_of(*complete.field, options.bounces);
     complete.lumens_per_watt = efficacy_of(complete.lumens_per_watt, scene.photometric_lights > 0);
     if (!scene.sensor_points.empty()) {
         complete.width = static_cast<int>(scene.sensor_points.size());

@@ -1,6 +1,9 @@
 // `pencil bake` and `pencil render --field` from outside.
 #include <gtest/gtest.h>
 
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
 #include "cli/fixtures.h"
 #include "cli/run_program.h"
 
@@ -35,6 +38,61 @@ TEST(Bake, WhatIsNoFieldOrCannotBeOneIsRefused) {
     const RunResult nothing = run_pencil({"bake", dark, "-o", image, "--pencils", "8", "--map", "8", "--spp", "1"});
     EXPECT_EQ(nothing.code, 3);
     EXPECT_NE(nothing.err.find("nothing to bake"), std::string::npos) << nothing.err;
+}
+
+TEST(Bake, DirectLightAloneIsNothingToBake) {
+    const Folder folder;
+    const std::string scene = folder.write("scene.xml", small_scene()), field = (folder / "field.exr").string();
+    for (const std::string from : {"reference", "hybrid", "line"})
+        for (const std::string depth : {"1", "2"}) {
+            const RunResult result = run_pencil({"bake", scene, "-D", "depth=" + depth, "-o", field, "--from", from});
+            EXPECT_EQ(result.code, 3);
+            EXPECT_NE(result.err.find("max_depth of " + depth + " leaves no light"), std::string::npos) << result.err;
+        }
+}
+
+TEST(Bake, TheFieldDecidesHowOftenLightIsReflected) {
+    const Folder folder;
+    const std::string scene = folder.write("scene.xml", small_scene()), field = (folder / "field.exr").string();
+    const RunResult baked =
+        run_pencil({"bake", scene, "-D", "depth=4", "-o", field, "--pencils", "8", "--map", "8", "--spp", "4", "--quiet"});
+    ASSERT_EQ(baked.code, 0) << baked.err;
+    for (const std::string depth : {"4", "2", "-1"}) {
+        const RunResult shown = run_pencil({"render", scene, "-D", "depth=" + depth, "-o", (folder / "image.exr").string(), "--field",
+                                            field, "--light-samples", "4", "--film-samples", "4"});
+        EXPECT_EQ(shown.code, 0) << shown.err;
+        const bool said = shown.err.find("max_depth of " + depth + " does not count") != std::string::npos;
+        EXPECT_EQ(said, depth != "4") << shown.err;
+    }
+}
+
+/// Mean of the beauty over that of the reference.
+double mean_ratio(const std::string& image, const std::string& reference) {
+    const RunResult compared = run_pencil({"compare", image, reference, "--json"});
+    return nlohmann::json::parse(compared.out)["layers"][0]["mean_ratio"].get<double>();
+}
+
+TEST(Bake, ARoomWithALampIsAsBrightAsByLightPaths) {
+    const Folder folder;
+    const std::string scene = std::string(PENCIL_SOURCE_DIR) + "/scenes/cornell-box.xml";
+    const auto file = [&folder](const std::string& name) { return (folder / name).string(); };
+    const std::vector<std::string> film{"--resolution", "48x48", "--aov", "none", "--quiet"};
+    const auto run = [&film](std::vector<std::string> command, const std::string& depth, bool has_film) {
+        command.insert(command.end(), {"-D", "max_depth=" + depth});
+        if (has_film) command.insert(command.end(), film.begin(), film.end());
+        const RunResult result = run_pencil(command);
+        EXPECT_EQ(result.code, 0) << result.err;
+    };
+    run({"reference", scene, "-o", file("truth.exr"), "--spp", "256"}, "4", true);
+    run({"reference", scene, "-o", file("less.exr"), "--spp", "256"}, "3", true);
+    EXPECT_LT(mean_ratio(file("less.exr"), file("truth.exr")), 0.95) << "an order more or less is seen";
+    for (const std::string from : {"reference", "hybrid"}) {
+        run({"bake", scene, "-o", file("field.exr"), "--from", from, "--pencils", "64", "--map", "32", "--quiet"}, "4", false);
+        run({"render", scene, "-o", file("shown.exr"), "--field", file("field.exr"), "--method", "hybrid"}, "4", true);
+        const double ratio = mean_ratio(file("shown.exr"), file("truth.exr"));
+        std::printf("field by %s over light paths: %.4f\n", from.c_str(), ratio);
+        EXPECT_NEAR(ratio, 1.0, 0.03) << "64 small maps lose 2 %";
+    }
 }
 
 }  // namespace

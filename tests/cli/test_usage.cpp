@@ -47,7 +47,10 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{{"render", "a.xml", "-o", "a.exr", "--rays", "16", "--weights", "voronoi"},
                 "--weights excludes --rays: one is an option of --method line, the other of hybrid"},
         Refusal{{"render", "a.xml", "-o", "a.exr", "--field", "f.exr", "--time", "3"}, "--time excludes --field"},
-        Refusal{{"render", "a.xml", "-o", "a.exr", "--method", "surface", "--map", "16"}, "--map: is not an option of --method surface"}));
+        Refusal{{"render", "a.xml", "-o", "a.exr", "--method", "surface", "--map", "16"}, "--map: is not an option of --method surface"},
+        Refusal{{"render", "a.xml", "-o", "a.exr", "--field", "f.exr", "--bounces", "2"}, "--bounces: is decided by the --field"},
+        Refusal{{"bake", "a.xml", "-o", "f.exr", "--pencils", "65536", "--map", "128"}, "takes 12.0 GiB"},
+        Refusal{{"bake", "a.xml", "-o", "f.exr", "--pencils", "65536", "--map", "1024"}, "fewer --pencils or a smaller --map"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Values, Refused,

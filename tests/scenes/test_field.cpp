@@ -100,6 +100,40 @@ TEST(Field, IsShownFromAnyCameraAndByEveryFormOfWeights) {
     }
 }
 
+TEST(Field, HasTheOrdersThatItWasMadeWith) {
+    RenderOptions options = field_options();
+    options.bounces = 3;
+    const RenderResult made = render(coloured_room(), options, device());
+    ASSERT_TRUE(made.field);
+    EXPECT_EQ(made.field->orders, 2) << "the film makes the third";
+    options.field = made.field;
+    EXPECT_NO_THROW(render(coloured_room(), options, device()));
+    for (const int bounces : {0, 1, 2, 4, endless_bounces}) {
+        options.bounces = bounces;
+        EXPECT_THROW(render(coloured_room(), options, device()), UsageError) << bounces;
+    }
+}
+
+TEST(Field, ByLightPathsHoldsReflectedLightAlone) {
+    Scene scene = coloured_room();
+    scene.point_lights.clear();
+    add_quad(scene, "lamp", {0.3, 0.95, 0.3}, {0.4, 0, 0}, {0, 0, 0.4}, {glm::vec3(0.0F), glm::vec3(10.0F), false});
+    auto field = std::make_shared<PencilField>();
+    field->map = 16;
+    field->centres = {{0.5, 0.5, 0.5}};
+    ReferenceOptions paths;
+    paths.field = field;
+    paths.spp = 64;
+    paths.max_depth = 1;
+    const ReferenceResult emission = trace_paths(scene, paths);
+    ASSERT_EQ(emission.layers.size(), 1U);
+    expect_zero(emission.layers.front());
+    paths.max_depth = 2;
+    const std::vector<float> light = trace_paths(scene, paths).layers.front().pixels;
+    EXPECT_LT(*std::max_element(light.begin(), light.end()), 5.0F) << "the lamp itself shows";
+    EXPECT_GT(*std::max_element(light.begin(), light.end()), 0.0F);
+}
+
 TEST(Field, OfAnotherSceneIsRefused) {
     const RenderResult made = render(coloured_room(), field_options(), device());
     auto moved = std::make_shared<PencilField>(*made.field);

@@ -41,6 +41,22 @@ TEST(FieldFile, HoldsWhatWasWritten) {
     std::filesystem::remove(field_path());
 }
 
+TEST(FieldFile, TellsHowOftenItsLightIsReflected) {
+    PencilField field = small_field();
+    for (const int orders : {endless_orders, 1, 7}) {
+        field.orders = orders;
+        write_field(field_path(), field, "test");
+        EXPECT_EQ(read_field(field_path()).orders, orders);
+    }
+    std::filesystem::remove(field_path());
+}
+
+TEST(FieldFile, WhatCouldNotBeReadAgainIsRefused) {
+    EXPECT_EQ(field_bytes(3, 8), 3U * 4 * 16 * 16);
+    EXPECT_NO_THROW(check_field_size(1 << 16, 64));
+    EXPECT_THROW(check_field_size(1 << 16, 128), UsageError);
+}
+
 TEST(FieldFile, TilesStandInRows) {
     const PencilField field = small_field(3);
     EXPECT_EQ(field.columns(), 2);
