@@ -84,12 +84,27 @@ std::vector<StressCase> film_cases() {
     for (const auto& [width, height] : {std::pair{1, 1}, {1, 13}, {17, 11}}) {
         rows.push_back(film_case(MethodName::surface, "surface", width, height));
         rows.push_back(film_case(MethodName::line, "line", width, height));
+        rows.push_back(film_case(MethodName::hybrid, "hybrid", width, height));
     }
     for (const int map : {1, 2})
         rows.push_back({fmt::format("map-{}", map), fmt::format("line method with maps of {} texels", map),
                         [map](const StressRun& run) { return refused(run, map); }});
     rows.push_back(
         option_case("map-8", "furnace of albedo 0.5, maps of 8 texels, the least", MethodName::line, [](RenderOptions& o) { o.map = 8; }));
+    for (const int pencils : {1, 256})
+        rows.push_back(option_case(fmt::format("pencils-{}-hybrid", pencils), fmt::format("the same, {} pencils and 16 rays", pencils),
+                                   MethodName::hybrid, [pencils](RenderOptions& o) {
+                                       o.pencils = pencils;
+                                       o.map = 8;
+                                       o.rays = 16;
+                                   }));
+    for (const int rays : {1, 576})
+        rows.push_back(option_case(fmt::format("rays-{}", rays), fmt::format("the same, 4 pencils and {} rays", rays), MethodName::hybrid,
+                                   [rays](RenderOptions& o) {
+                                       o.pencils = 4;
+                                       o.map = 8;
+                                       o.rays = rays;
+                                   }));
     for (const int pencils : {1, 2, 256})  // the exponent beta goes with the number of pencils: 0 for one
         rows.push_back(option_case(fmt::format("pencils-{}-line", pencils),
                                    fmt::format("furnace of albedo 0.5, {} pencils of the line method", pencils), MethodName::line,
@@ -124,6 +139,8 @@ std::vector<StressCase> film_cases() {
                     [](const StressRun& run) { return nothing_in_view(run, MethodName::surface); }});
     rows.push_back({"nothing-in-view-line", "furnace behind the eye, line method",
                     [](const StressRun& run) { return nothing_in_view(run, MethodName::line); }});
+    rows.push_back({"nothing-in-view-hybrid", "furnace behind the eye, lines and rays",
+                    [](const StressRun& run) { return nothing_in_view(run, MethodName::hybrid); }});
     return rows;
 }
 

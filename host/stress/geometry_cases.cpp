@@ -165,6 +165,8 @@ std::vector<StressCase> geometry_cases() {
             [](const StressRun& d) { return coincident(d, MethodName::surface); }),
         row("coincident-line", "three floors in one plane, line method",
             [](const StressRun& d) { return coincident(d, MethodName::line); }),
+        row("coincident-hybrid", "three floors in one plane, lines and rays",
+            [](const StressRun& d) { return coincident(d, MethodName::hybrid); }),
         row("unit-1e6", "furnished room a million times as large", [](const StressRun& d) { return somewhere_else(d, 1e6, 0, 1e-3); }),
         row("unit-1e-6", "furnished room a million times as small", [](const StressRun& d) { return somewhere_else(d, 1e-6, 0, 1e-3); }),
         row("unit-1e-30", "furnished room of 1e-30", [](const StressRun& d) { return somewhere_else(d, 1e-30, 0, 1e-3); }),
@@ -177,6 +179,9 @@ std::vector<StressCase> geometry_cases() {
         row(
             "eye-in-a-sphere-line", "the same, line method",
             [](const StressRun& d) { return dark_inside(d, MethodName::line, eye_in_a_sphere()); }, coarse_maps, of_image),
+        row(
+            "eye-in-a-sphere-hybrid", "the same, lines and rays",
+            [](const StressRun& d) { return dark_inside(d, MethodName::hybrid, eye_in_a_sphere()); }, coarse_maps, of_image),
     };
 }
 

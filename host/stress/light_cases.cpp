@@ -28,7 +28,7 @@ Scene dimmed(Scene scene, double factor) {
 /// The image of a scene with all lights times `factor` is `factor` times the image, up to the rounding of the lights themselves.
 Measurements linear(const StressRun& run, const Scene& scene, MethodName method, double factor, double tolerance) {
     RenderOptions options = stress_options(method);
-    options.bounces = method == MethodName::line ? 3 : endless_bounces;
+    options.bounces = method == MethodName::surface ? endless_bounces : 3;
     const RenderResult plain = render(scene, options, run), other = render(dimmed(scene, factor), options, run);
     return {below("difference from the image of radiance 1, scaled", difference_of(other.layers, plain.layers, factor), tolerance)};
 }
@@ -102,8 +102,10 @@ Measurements beside_a_sun(const StressRun& run, double factor) {
 std::vector<StressCase> light_cases() {
     std::vector<StressCase> rows;
     for (const char* factor : {"1e30", "1e-30", "1e35"}) rows.push_back(linear_case("surface", MethodName::surface, factor));
-    rows.push_back(linear_case("line", MethodName::line, "1e30"));
-    rows.push_back(linear_case("line", MethodName::line, "1e-30"));
+    for (const char* factor : {"1e30", "1e-30"}) {
+        rows.push_back(linear_case("line", MethodName::line, factor));
+        rows.push_back(linear_case("hybrid", MethodName::hybrid, factor));
+    }
     for (const char* factor : {"1e30", "1e-30"}) rows.push_back(reference_case(factor));
     for (const int exponent : {100, -100})
         rows.push_back({fmt::format("radiance-2^{}", exponent), fmt::format("furnished room, lamp times 2^{}: the same bits", exponent),

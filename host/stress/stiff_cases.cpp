@@ -62,7 +62,7 @@ Measurements lamp(const StressRun& run, const Stiffness& s) {
 /// Closed and without loss: no sum exists.
 Measurements without_sum(const StressRun& run, const Scene& scene, MethodName method) {
     RenderOptions options = stress_options(method);
-    if (method == MethodName::line) options.pencils = 16, options.map = 8;
+    if (method != MethodName::surface) options.pencils = 16, options.map = 8;
     const RenderResult result = render(scene, options, run);
     return {below("values that are not finite", non_finite_of(result.layers), 0),
             below("said to have converged", result.stats.converged ? 1 : 0, 0),
@@ -102,8 +102,8 @@ Measurements one_colour_stiff(const StressRun& run) {
             near("blue", mean.z, 1, 1e-6)};
 }
 
-Measurements line_furnace(const StressRun& run, float albedo) {
-    RenderOptions options = stress_options(MethodName::line);
+Measurements line_furnace(const StressRun& run, float albedo, MethodName method = MethodName::line) {
+    RenderOptions options = stress_options(method);
     options.pencils = 16;
     options.map = 8;
     const RenderResult result = render(furnace_room(albedo), options, run);
@@ -136,6 +136,8 @@ std::vector<StressCase> stiff_cases() {
     rows.push_back({"white-well-10", "the same, 10 deep", [](const StressRun& run) { return white_well(run, 10); }});
     rows.push_back(
         {"line-furnace-0.99", "furnace of albedo 0.99, line method", [](const StressRun& run) { return line_furnace(run, 0.99F); }});
+    rows.push_back({"hybrid-furnace-0.99", "furnace of albedo 0.99, lines and rays",
+                    [](const StressRun& run) { return line_furnace(run, 0.99F, MethodName::hybrid); }});
     rows.push_back({"line-furnace-0.9999", "furnace of albedo 0.9999, line method: 512 sets say that they are not enough",
                     [](const StressRun& run) { return line_furnace(run, 0.9999F); }});
     rows.push_back({"line-furnace-1", "furnace of albedo 1, line method",

@@ -24,7 +24,7 @@ RenderOptions stress_options(MethodName method) {
     options.aovs = {};
     options.film_samples = 4;
     options.target_error = 1e6;  // as few passes as may be
-    if (method == MethodName::line) {
+    if (method != MethodName::surface) {
         options.pencils = 32;
         options.map = 32;
     } else {

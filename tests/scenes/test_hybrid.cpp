@@ -1,6 +1,7 @@
 // Lines and rays together against closed forms and the path tracer: where lines alone are far off.
 #include "reference/path_tracer.h"
 #include "scenes/lit_wall.h"
+#include "util/error.h"
 
 namespace pencil::test {
 namespace {
@@ -11,6 +12,12 @@ RenderOptions hybrid_options() {
     options.pencils = 64;
     options.map = 32;
     return options;
+}
+
+dvec3 mean_of(const Layer& image) {
+    dvec3 sum(0.0);
+    for (std::size_t i = 0; i < pixel_count(image); ++i) sum += pixel(image, i) / static_cast<double>(pixel_count(image));
+    return sum;
 }
 
 TEST(Hybrid, LitWallIsRightIntoTheCorner) {
@@ -30,14 +37,74 @@ TEST(Hybrid, LitWallIsRightIntoTheCorner) {
     }
 }
 
+/// albedo^k in every pixel and channel.
+void expect_power(const Layer& image, const glm::vec3& albedo, int k) {
+    for (std::size_t i = 0; i < pixel_count(image); ++i)
+        for (int c = 0; c < 3; ++c)
+            ASSERT_NEAR(pixel(image, i)[c] / std::pow(static_cast<double>(albedo[c]), k), 1.0, 2e-4) << image.name << ", pixel " << i;
+}
+
 TEST(Hybrid, FurnaceIsExact) {
+    Scene scene = furnace(0.0F);
+    const glm::vec3 albedo(0.9F, 0.6F, 0.25F);
+    for (SceneMaterial& material : scene.materials) material.albedo = albedo;
+    for (const int pencils : {1, 16, 150})
+        for (const Iterate iterate : {Iterate::sets, Iterate::fixed}) {
+            RenderOptions options = hybrid_options();
+            options.initial = Initial::emission;
+            options.iterate = iterate;
+            options.pencils = pencils;
+            options.map = pencils == 1 ? 32 : 8;
+            options.rays = 16;
+            options.width = 16;
+            options.height = 12;
+            options.film_samples = 4;
+            options.bounces = 6;
+            const RenderResult result = render_layers(scene, options, {"direct", "bounces"});
+            expect_power(layer(result, "direct"), albedo, 1);
+            for (int k = 2; k <= options.bounces; ++k) expect_power(layer(result, "bounce" + std::to_string(k)), albedo, k);
+            options.bounces = endless_bounces;
+            options.tolerance = 1e-3;
+            const Layer image = layer(render_layers(scene, options), "");
+            for (std::size_t i = 0; i < pixel_count(image); ++i)
+                for (int c = 0; c < 3; ++c)
+                    ASSERT_NEAR(pixel(image, i)[c] * (1.0 - static_cast<double>(albedo[c])), 1.0, 2e-4) << pencils << " pencils";
+        }
+}
+
+/// A ball seen from inside whose triangles are wide and whose shading is round, a light beside its middle.
+TEST(Hybrid, SmoothShadingIsThatOfLightPaths) {
+    Scene scene;
+    add_shape(scene, "ball", inward_sphere(1.0, 8), {{0.8F, 0.5F, 0.3F}, glm::vec3(0.0F), false});
+    for (std::size_t i = 0; i < scene.positions.size(); ++i) scene.normals[i] = glm::vec3(-glm::normalize(scene.positions[i]));
+    scene.point_lights.push_back({{0.5, 0.3, 0.1}, glm::vec3(1.0F)});
+    look_at(scene, {-0.5, 0.1, -0.2}, {0.6, -0.2, 0.3}, {0, 1, 0}, 80.0, 24, 24);
+    ReferenceOptions reference;
+    reference.spp = 512;
+    reference.max_depth = 4;
+    reference.bounces = true;
+    const ReferenceResult truth = trace_paths(scene, reference);
     RenderOptions options = hybrid_options();
-    options.initial = Initial::emission;
-    options.film_samples = 4;
     options.bounces = 3;
-    const double a = 0.8F;
-    const RenderResult result = render_layers(furnace(0.8F), options, {"bounces"});
-    for (int k = 2; k <= 3; ++k) expect_uniform(layer(result, "bounce" + std::to_string(k)), std::pow(a, k), 1e-3);
+    const RenderResult result = render_layers(scene, options, {"bounces"});
+    for (const std::string name : {"bounce2", "bounce3"}) {
+        const dvec3 ratio = mean_of(layer(result, name)) / mean_of(layer(truth.layers, name));
+        std::printf("smooth ball, %s over light paths: %.3f %.3f %.3f\n", name.c_str(), ratio.x, ratio.y, ratio.z);
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(ratio[c], 1.0, 0.04) << name;
+    }
+}
+
+TEST(Hybrid, AdviceNamesNoOptionThatItDoesNotKnow) {
+    RenderOptions options = hybrid_options();
+    options.placement = {Placement::camera_rays};
+    try {
+        render(lit_wall_box(), options, device());
+        FAIL() << "was rendered";
+    } catch (const UsageError& error) {
+        const std::string text = error.what();
+        EXPECT_NE(text.find("--method hybrid"), std::string::npos) << text;
+        EXPECT_EQ(text.find("--weights"), std::string::npos) << text;
+    }
 }
 
 /// Two rooms with a sheet between them that has a door: five quads in one plane. All light of the film's room comes through the door.
@@ -65,12 +132,6 @@ Scene rooms_with_a_door(int split = 1) {
     add_quad(open, "lamp", {0.3, 0.95, 0.3}, {0.4, 0, 0}, {0, 0, 0.4}, {glm::vec3(0.0F), glm::vec3(10.0F), false});
     open.sensor = scene.sensor;
     return open;
-}
-
-dvec3 mean_of(const Layer& image) {
-    dvec3 sum(0.0);
-    for (std::size_t i = 0; i < pixel_count(image); ++i) sum += pixel(image, i) / static_cast<double>(pixel_count(image));
-    return sum;
 }
 
 TEST(Hybrid, LightThroughADoorIsThatOfLightPaths) {
