@@ -111,6 +111,7 @@ void LineMethod::show_field() {
 /// The light of all orders in one set, by hierarchical iteration.
 void LineMethod::show_levels() {
     find_rooms();
+    make_solver();
     LevelSolver levels(context_, *solver_, frame_->lights().maps.count > 0,
                        context_.options.bounces < 0 ? -1 : context_.options.bounces - 1);
     set_ = levels.solve();
