@@ -106,8 +106,8 @@ AT_INFINITY = [
 
 REMEDIES = {
     "none": (LINE, []),
-    "denser near surfaces: half of the centres there": (LINE + " --placement lds,near-surface", []),
-    "denser where light goes": (LINE + " --placement lds,light-rays,camera-rays", []),
+    "denser near surfaces: half of the centres there": (LINE + " --placement lds+near-surface", []),
+    "denser where light goes": (LINE + " --placement lds+light-rays+camera-rays", []),
     "denser by the illumination profile": (LINE + " --placement profile", []),
     "fields not blurred": (LINE, SHARP),
     "blurred over 5 texels": (LINE, blur(2)),

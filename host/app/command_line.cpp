@@ -84,6 +84,7 @@ std::vector<SubCommand> sub_commands() {
         sub_command("render", "Render a scene to image files", run_render),
         sub_command("reference", "Render a scene by path tracing, to judge other images by", run_reference),
         sub_command("bake", "Keep the light of a scene in a field of pencils, which `render --field` shows from any camera", run_bake),
+        sub_command("walk", "Show a field of pencils from a row of cameras", run_walk),
         sub_command("measure", "Measure illuminance at points, on grids and by the meters of a scene", run_measure),
         sub_command("info", "Say what is in a scene and what rendering it needs", run_info),
         sub_command("compare", "Measure the error of an image against a reference", run_compare),

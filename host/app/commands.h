@@ -53,6 +53,15 @@ struct BakeCommand {
     bool quiet = false;
 };
 
+struct WalkCommand {
+    std::filesystem::path scene;
+    LoadOptions load;
+    std::filesystem::path field, views, output;
+    RenderOptions options;
+    std::string device;
+    bool quiet = false;
+};
+
 enum class MeasureMethod { surface, reference };
 
 struct MeasureCommand {
@@ -109,6 +118,7 @@ struct DocumentCommand {
 ExitCode run_render(const RenderCommand& command);
 ExitCode run_reference(const ReferenceCommand& command);
 ExitCode run_bake(const BakeCommand& command);
+ExitCode run_walk(const WalkCommand& command);
 ExitCode run_measure(const MeasureCommand& command);
 ExitCode run_info(const InfoCommand& command);
 ExitCode run_compare(const CompareCommand& command);

@@ -204,6 +204,26 @@ std::vector<Option> option_table(BakeCommand& command) {
     return rows;
 }
 
+std::vector<Option> option_table(WalkCommand& command) {
+    RenderOptions& o = command.options;
+    o.method = MethodName::line;
+    o.weights = Weights::analytic;
+    o.aovs = {};
+    Rows rows = scene_rows(command.scene, command.load);
+    append(rows,
+           {required(path_row("--field", "FILE", command.field, "Light of the scene, by `pencil bake`")),
+            required(path_row("--views", "FILE", command.views,
+                              "Cameras, a line each: where it stands, where it looks, and its upward direction if that is not the scene "
+                              "camera's: x,y,z,x,y,z[,x,y,z]")),
+            required(path_row("-o,--output", "FILE.exr", command.output, "Images to write: FILE-0001.exr and so on")),
+            word_option("--method", o.method, {"line", "hybrid"}, "Lines through the pencils, or lines and rays"),
+            resolution_option(o.width, o.height, "the scene's"),
+            integer_option("--film-samples", o.film_samples, 1, 64, "Visibility samples of a pixel"),
+            integer_option("--light-samples", o.light_samples, 1, most_baked, "Point samples over all emitters"), seed_option(o.seed),
+            device_row(command.device), quiet_row(command.quiet)});
+    return rows;
+}
+
 std::vector<Option> option_table(MeasureCommand& command) {
     RenderOptions& o = command.options;
     Rows rows = scene_rows(command.scene, command.load);

@@ -12,6 +12,7 @@ namespace pencil {
 std::vector<Option> option_table(RenderCommand& command);
 std::vector<Option> option_table(ReferenceCommand& command);
 std::vector<Option> option_table(BakeCommand& command);
+std::vector<Option> option_table(WalkCommand& command);
 std::vector<Option> option_table(MeasureCommand& command);
 std::vector<Option> option_table(InfoCommand& command);
 std::vector<Option> option_table(CompareCommand& command);

@@ -27,6 +27,9 @@ struct DeviceScene {
     auto all_triangles() const { return std::tie(triangles, triangle_count, planes); }
     auto hierarchy() const { return std::tie(nodes, leaves); }
 
+    /// Follows the scene's camera.
+    void look(const FlatScene& flat) { to_film.write(flat.to_film); }
+
     Prepared prepared() const { return {cluster_count > 0, has_bvh}; }
 
     int triangle_count, shape_count, cluster_count;

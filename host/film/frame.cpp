@@ -50,6 +50,12 @@ Frame::Frame(RenderContext& context, const std::vector<std::string>& aovs, int l
     context.clock.allow_stops();
 }
 
+void Frame::look(const Turn& turn) {
+    context_.clock.run("film geometry", [&] { film_ = make_film(context_, turn); });
+    layers_.clear();
+    context_.clock.run("surface layers", [&] { layers_.add_surfaces(context_.kernels, context_.device_scene, context_.flat, *film_); });
+}
+
 void Frame::make_lights(int count, int map, const Turn& turn) {
     if (context_.options.bounces == 0) return;  // emission only
     if (context_.receivers.empty() && has_detailed_emitters(context_.scene, context_.flat, context_.forms))

@@ -18,6 +18,9 @@ public:
     /// Makes film geometry, light samples with their maps of width `light_map` (0: none), and the surface layers.
     Frame(RenderContext& context, const std::vector<std::string>& aovs, int light_samples, int light_map, const Turn& turn);
 
+    /// Film and surface layers once more, from the camera that the scene has now; lights stay.
+    void look(const Turn& turn);
+
     /// Direct light of the light samples goes into outgoing(), and is finished as order 1 unless maps carry more of it. False if nothing
     /// can be added: no light, or no reflections wanted. `light` adds it instead of light_surfels.
     bool add_direct(const std::function<void()>& light = {});

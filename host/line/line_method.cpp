@@ -104,8 +104,22 @@ void LineMethod::show_field() {
         solver_->weigh(set_);
         context_.clock.run("field", [&] { set_field(field, unit, weights_in_maps(context_.kernels.features().weights), set_); });
     }
+    show_set();
+}
+
+/// All orders of light in one set.
+void LineMethod::show_set() {
     const double seconds = project_set();
-    frame_->finish_bounce(FilmLayers::indirect, field.count(), seconds);
+    frame_->finish_bounce(FilmLayers::indirect, set_.maps->count, seconds);
+}
+
+/// Light that a field has brought does not depend on who looks.
+bool LineMethod::look() {
+    if (!context_.options.field || !solver_) return false;
+    frame_->look(Turn{context_.options.seed, 0, true});
+    visible_ = visible_buffer();
+    if (frame_->add_direct() && context_.wanted(order_ + 1)) show_set();
+    return true;
 }
 
 /// The light of all orders in one set, by hierarchical iteration.
@@ -143,8 +157,12 @@ void LineMethod::find_rooms() {
     });
 }
 
+Buffer<int> LineMethod::visible_buffer() const {
+    return {context_.kernels.device(), static_cast<std::size_t>(frame_->film().surfels().capacity), "visible pencils"};
+}
+
 void LineMethod::make_solver() {
-    visible_ = Buffer<int>(context_.kernels.device(), static_cast<std::size_t>(frame_->film().surfels().capacity), "visible pencils");
+    visible_ = visible_buffer();
     context_.clock.run("pencil maps", [&] {
         candidates_ = make_candidate_source({context_.kernels, context_.device_scene, context_.scene, context_.flat, context_.options.seed},
                                             context_.options.placement);
@@ -182,8 +200,8 @@ void LineMethod::project() {
 /// Adds what the surfels of the film reflect of the set's light; takes so many seconds.
 double LineMethod::project_set() {
     const double seconds = context_.clock.run("projection-scatter", [&] {
-        solver_->project(frame_->film().surfels(), set_, film_rays(context_.options, projected_), frame_->outgoing(), visible_,
-                         "projection-scatter");
+        solver_->project(frame_->film().surfels(), set_, film_rays(context_.options, context_.options.field ? 0 : projected_),
+                         frame_->outgoing(), visible_, "projection-scatter");
     });
     if (projected_++ == 0) count_blind();
     return seconds;

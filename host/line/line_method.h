@@ -21,6 +21,7 @@ public:
     explicit LineMethod(RenderContext& context) : context_(context) {}
 
     bool advance() override;
+    bool look() override;
     std::vector<Layer> snapshot() const override;
     std::vector<Layer> take() override;
     std::vector<std::string> explain() const override;
@@ -30,6 +31,8 @@ private:
     bool begin();
     void show_field();
     void show_levels();
+    void show_set();
+    Buffer<int> visible_buffer() const;
     void find_rooms();
     void make_solver();
     void make_first_set();

@@ -147,8 +147,8 @@ void count_mates(std::vector<Triangle>& triangles) {
     }
 }
 
-/// Mitsuba's sensors: +z forward, +x to the left, fov_x over the film's width; parallel rays through [-1, 1] of its own x. `width`, `height`: of
-/// the part that is rendered.
+}  // namespace
+
 void flatten_camera(const PerspectiveSensor& sensor, int width, int height, FlatScene& flat) {
     const bool cropped = sensor.crop_width > 0;
     const double shrink_x = cropped ? static_cast<double>(width) / sensor.crop_width : 1.0,
@@ -164,6 +164,7 @@ void flatten_camera(const PerspectiveSensor& sensor, int width, int height, Flat
                  centre_y = whole_y * (0.5 + sensor.principal_point_offset.y) - (cropped ? sensor.crop_y * shrink_y : 0.0);
     glm::dvec3 corner = forward - step_x * centre_x - step_y * centre_y;
     const double scale = flat.normalisation.scale;
+    flat.camera = {};
     Camera& camera = flat.camera;
     camera.origin = to_float4(flat.normalisation.to_scene(glm::dvec3(sensor.to_world[3])));
     camera.corner = to_float4(corner);
@@ -192,10 +193,9 @@ void flatten_camera(const PerspectiveSensor& sensor, int width, int height, Flat
     // Rows of the inverse of (step_x, step_y, corner): point = depth * (corner + px step_x + py step_y).
     glm::dmat3 inverse = glm::inverse(glm::dmat3(step_x, step_y, corner));
     glm::dmat3 rows = glm::transpose(inverse);
+    flat.to_film.clear();
     for (int k = 0; k < 3; ++k) flat.to_film.push_back(to_float4(rows[k]));
 }
-
-}  // namespace
 
 FlatScene flatten(const Scene& scene, const std::vector<LightForm>& forms, int width, int height, double unit) {
     FlatScene flat;

@@ -56,6 +56,10 @@ inline glm::dvec3 area_vector(const Triangle& t) {
 /// Area of the scene as seen from outside, about, for light that comes from there [scene units^2].
 double cross_section(const FlatScene& flat);
 
+/// The scene's camera, in place of the one it has; `width`, `height`: of the part of its film that is rendered. Mitsuba's sensors: +z forward, +x
+/// to the left, fov_x over the film's width; parallel rays through [-1, 1] of its own x.
+void flatten_camera(const PerspectiveSensor& sensor, int width, int height, FlatScene& flat);
+
 /// `forms` has one entry per shape, ignored where the shape does not emit. Width and height 0: the scene's own. `unit`: Normalisation::light.
 FlatScene flatten(const Scene& scene, const std::vector<LightForm>& forms, int width, int height, double unit = 1.0);
 

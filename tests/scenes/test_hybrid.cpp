@@ -68,7 +68,8 @@ TEST(Hybrid, FurnaceIsExact) {
             const Layer image = layer(render_layers(scene, options), "");
             for (std::size_t i = 0; i < pixel_count(image); ++i)
                 for (int c = 0; c < 3; ++c)
-                    ASSERT_NEAR(pixel(image, i)[c] * (1.0 - static_cast<double>(albedo[c])), 1.0, 1e-3) << pencils << " pencils: a few of 10^5 texels are dark, in corners";
+                    ASSERT_NEAR(pixel(image, i)[c] * (1.0 - static_cast<double>(albedo[c])), 1.0, 1e-3)
+                        << pencils << " pencils: a few of 10^5 texels are dark, in corners";
         }
 }
 
