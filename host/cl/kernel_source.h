@@ -20,7 +20,7 @@ std::string resolve_includes(const std::string& text, const std::string& file);
 std::string program_source(const std::string& file);
 
 /// The file of kernels/programs that includes `kernel`.cl, or `kernel`.cl itself if none does. Kernels that one render needs together share
-/// a program: building one costs about 15 ms on PoCL even when it is cached.
+/// a program: building one costs about 25 ms on PoCL even when it is cached.
 std::string program_of(const std::string& kernel);
 
 /// Files of all programs that are built in: those of kernels/programs, and kernels that are a program of their own.
