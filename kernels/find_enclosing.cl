@@ -20,8 +20,9 @@ static inline int back_shape(Hit hit, global const Triangle *triangles, global c
 /// in     : hits of tile_count tiles of n x n, cops; triangles, planes
 /// out    : enclosing[tile]: the shape whose backs fill more than half of all directions, or -1. Open-bottomed boxes that stand on a floor
 ///          are found as well as closed ones; a single wall fills at most half.
-kernel void find_enclosing(global const Hit *hits, global const float4 *cops, int tile_count, int n, global const Triangle *triangles,
-                           global const float4 *planes, global int *enclosing) {
+kernel __attribute__((reqd_work_group_size(1, 1, 1))) void find_enclosing(global const Hit *hits, global const float4 *cops, int tile_count,
+                                                                          int n, global const Triangle *triangles,
+                                                                          global const float4 *planes, global int *enclosing) {
     int tile = get_global_id(0);
     if (tile >= tile_count) return;
     float4 cop = (float4)(cops[tile].xyz, 0.0f);

@@ -10,8 +10,9 @@
 /// in     : hits of tile_count tiles of n x n, cops; triangles, planes, materials
 /// out    : sides[tile * words ..]: bit 2 s of the row is set if the tile shows the front of shape s, bit 2 s + 1 if it shows the back and
 ///          the back reflects. Backs of one-sided surfaces do not count: no light passes between them and a centre.
-kernel void find_sides(global const Hit *hits, global const float4 *cops, int tile_count, int n, global const Triangle *triangles,
-                       global const float4 *planes, global const Material *materials, global uint *sides, int words) {
+kernel __attribute__((reqd_work_group_size(1, 1, 1))) void find_sides(global const Hit *hits, global const float4 *cops, int tile_count,
+                                                                      int n, global const Triangle *triangles, global const float4 *planes,
+                                                                      global const Material *materials, global uint *sides, int words) {
     int tile = get_global_id(0);
     if (tile >= tile_count) return;
     float4 cop = (float4)(cops[tile].xyz, 0.0f);

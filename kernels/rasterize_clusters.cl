@@ -48,9 +48,11 @@ static inline bool cluster_matters(const Octant *o, global const Cluster *cluste
 /// in     : as rasterize_octahedral; clusters[cluster_count] of members[triangle_count] (pencils/cluster_triangles.h)
 /// out    : as rasterize_octahedral
 /// needs  : as rasterize_octahedral
-kernel void rasterize_clusters(global const Triangle *triangles, int triangle_count, global const float4 *planes,
-                               global const Cluster *clusters, int cluster_count, global const int *members, global const float4 *cops,
-                               int first_tile, int tile_count, int n, global Hit *hits) {
+kernel __attribute__((reqd_work_group_size(1, 1, 1))) void rasterize_clusters(global const Triangle *triangles, int triangle_count,
+                                                                              global const float4 *planes, global const Cluster *clusters,
+                                                                              int cluster_count, global const int *members,
+                                                                              global const float4 *cops, int first_tile, int tile_count,
+                                                                              int n, global Hit *hits) {
     int item = get_global_id(0);
     if (item >= OCTANTS * tile_count) return;
     Octant octant = clear_octant_of(item, cops, first_tile, n, hits);

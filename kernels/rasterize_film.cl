@@ -13,9 +13,11 @@
 /// in     : triangles, planes; camera; bounds[triangle] (bound_film); offsets[sample] in [0, 1)^2, the same for every pixel
 /// out    : hits[(sample * row_count + row - first_row) * width + x]; disparity = 1 / depth along the optical axis
 /// clip   : nothing is there before the camera's near distance, as in Mitsuba; hits beyond its far distance are dropped
-kernel void rasterize_film(global const Triangle *triangles, int triangle_count, global const float4 *planes, Camera camera,
-                           global const float4 *bounds, global const float2 *offsets, int sample_count, int first_row, int row_count,
-                           int band, global Hit *hits) {
+kernel __attribute__((reqd_work_group_size(1, 1, 1))) void rasterize_film(global const Triangle *triangles, int triangle_count,
+                                                                          global const float4 *planes, Camera camera,
+                                                                          global const float4 *bounds, global const float2 *offsets,
+                                                                          int sample_count, int first_row, int row_count, int band,
+                                                                          global Hit *hits) {
     int item = get_global_id(0);
     int bands = (row_count + band - 1) / band;
     if (item >= bands * sample_count) return;

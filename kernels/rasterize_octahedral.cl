@@ -8,8 +8,9 @@
 /// in     : triangles[triangle_count], planes, cops[first_tile + tile] (xyz, scene units), n even
 /// out    : hits, atlas layout, interior texels of tiles first_tile ..; disparity for a direction of unit L1 norm
 /// needs  : nothing of the centres: a triangle whose plane passes within PLANE_TOLERANCE of one is not seen from it
-kernel void rasterize_octahedral(global const Triangle *triangles, int triangle_count, global const float4 *planes,
-                                 global const float4 *cops, int first_tile, int tile_count, int n, global Hit *hits) {
+kernel __attribute__((reqd_work_group_size(1, 1, 1))) void rasterize_octahedral(global const Triangle *triangles, int triangle_count,
+                                                                                global const float4 *planes, global const float4 *cops,
+                                                                                int first_tile, int tile_count, int n, global Hit *hits) {
     int item = get_global_id(0);
     if (item >= OCTANTS * tile_count) return;
     Octant octant = clear_octant_of(item, cops, first_tile, n, hits);

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "app/interrupt.h"
+#include "cl/build_ahead.h"
 
 namespace pencil {
 
@@ -91,7 +92,8 @@ std::vector<SubCommand> sub_commands() {
         sub_command("converge", "Measure error against run time of all methods and the path tracer", run_converge),
         sub_command("stress", "Render scenes that are stiff or extreme and check what comes out", run_stress),
         sub_command("devices", "List the OpenCL devices", run_devices),
-        hidden(sub_command("document", "Write the options of all commands as documentation, or the programs of kernels", run_document))};
+        hidden(sub_command("document", "Write the options of all commands as documentation, or the programs of kernels", run_document)),
+        hidden(sub_command("build-kernels", "Build the kernels that the standard input lists into the driver's cache", run_build_kernels))};
 }
 
 ExitCode run_command_line(int argc, char** argv) {
@@ -110,6 +112,7 @@ ExitCode run_command_line(int argc, char** argv) {
         throw UsageError(error.what());
     }
     watch_signals();
+    allow_build_ahead("/proc/self/exe");
     for (const SubCommand& command : commands)
         if (app.got_subcommand(command.name)) return command.run();
     throw UsageError("a command is required: " + names(commands));

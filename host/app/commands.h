@@ -115,6 +115,9 @@ struct DocumentCommand {
     std::string format;  // markdown, man, programs
 };
 
+/// `pencil build-kernels`, which a render starts beside itself (cl/build_ahead.h).
+struct BuildKernelsCommand {};
+
 ExitCode run_render(const RenderCommand& command);
 ExitCode run_reference(const ReferenceCommand& command);
 ExitCode run_bake(const BakeCommand& command);
@@ -126,5 +129,6 @@ ExitCode run_converge(const ConvergeCommand& command);
 ExitCode run_stress(const StressCommand& command);
 ExitCode run_devices(const DevicesCommand& command);
 ExitCode run_document(const DocumentCommand& command);
+ExitCode run_build_kernels(const BuildKernelsCommand& command);
 
 }  // namespace pencil

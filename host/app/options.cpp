@@ -298,4 +298,6 @@ std::vector<Option> option_table(DocumentCommand& command) {
                       {}})};
 }
 
+std::vector<Option> option_table(BuildKernelsCommand&) { return {}; }
+
 }  // namespace pencil

@@ -20,6 +20,7 @@ std::vector<Option> option_table(ConvergeCommand& command);
 std::vector<Option> option_table(StressCommand& command);
 std::vector<Option> option_table(DevicesCommand& command);
 std::vector<Option> option_table(DocumentCommand& command);
+std::vector<Option> option_table(BuildKernelsCommand& command);
 
 /// True if the command line holds an option.
 using Given = std::function<bool(const Option&)>;

@@ -10,6 +10,7 @@
 #include "app/outputs.h"
 #include "app/run_report.h"
 #include "field/field_file.h"
+#include "options/render_option_table.h"
 #include "render/photometric_layers.h"
 #include "render/render.h"
 #include "render/render_session.h"

@@ -63,6 +63,23 @@ void Launch::run(std::size_t global, const std::string& description, std::size_t
     enqueue(cl::NDRange(rounded_up(global, group)), cl::NDRange(group), description);
 }
 
+void Launch::make_code(std::size_t items) {
+    if (compiled_->parameters.size() != argument_count_) return;
+    constexpr std::size_t largest_value = 1024;
+    const std::vector<char> zeros(largest_value, 0);
+    for (unsigned i = 0; i < argument_count_; ++i) {
+        if (compiled_->parameters[i].buffer) {
+            kernel_.setArg(i, sizeof(cl_mem), nullptr);
+            continue;
+        }
+        // A driver refuses values of another size than the parameter's, and nothing else tells that size.
+        std::size_t bytes = 1;
+        while (bytes <= largest_value && clSetKernelArg(kernel_(), i, bytes, zeros.data()) != CL_SUCCESS) bytes += bytes < 4 ? bytes : 4;
+        if (bytes > largest_value) return;
+    }
+    run(items, "nothing, to have code made");
+}
+
 void Launch::run2d(std::size_t global_x, std::size_t global_y, std::size_t local_x, std::size_t local_y, const std::string& description) {
     if (global_x == 0 || global_y == 0) return;
     local_x = std::min(std::max<std::size_t>(local_x, 1), max_group_);

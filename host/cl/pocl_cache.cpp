@@ -48,6 +48,11 @@ std::string private_directory() {
 
 }  // namespace
 
+std::filesystem::path pocl_cache() {
+    const std::string chosen = environment("POCL_CACHE_DIR");
+    return chosen.empty() ? default_cache() : fs::path(chosen);
+}
+
 void prepare_pocl_cache() {
     static std::once_flag once;
     std::call_once(once, [] {

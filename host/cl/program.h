@@ -54,6 +54,10 @@ public:
     /// 2-D with local size (local_x, local_y).
     void run2d(std::size_t global_x, std::size_t global_y, std::size_t local_x, std::size_t local_y, const std::string& description);
 
+    /// Has the driver make the code for `items` work-items, and launches that many with zeros and null buffers: kernels test their bounds, but
+    /// only a process that may die should rely on it. Nothing happens where the driver does not say what the parameters are.
+    void make_code(std::size_t items);
+
     /// Work-items per group that the device allows this kernel.
     std::size_t max_group() const { return max_group_; }
 

@@ -58,6 +58,12 @@ Defines to_defines(const Features& features, int block) {
     return defines;
 }
 
+void Kernels::build_ahead(const std::vector<SureKernel>& sure) {
+    std::vector<KernelBuild> builds;
+    for (const SureKernel& kernel : sure) builds.push_back({kernel.name, kernel.items, to_defines(features_, block())});
+    ahead_ = std::make_unique<BuildAhead>(*device(), builds);
+}
+
 Launch Kernels::get(const std::string& name) {
     if (before_launch_) before_launch_();
     return cache_.kernel(name, program_of(name), to_defines(features_, block()));

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cl/build_ahead.h"
 #include "cl/program.h"
 #include "pencils/flat_scene.h"
 #include "shared/weights.h"
@@ -40,12 +41,20 @@ struct Features {
 Features scene_features(const FlatScene& scene, int film_samples, bool lobes);
 Defines to_defines(const Features& features, int block);
 
+/// A kernel that a render is sure to launch, and about how many work-items at once.
+struct SureKernel {
+    std::string name;
+    std::size_t items = 1;
+};
+
 /// Kernels of one render: the program cache with the render's specialisation.
 class Kernels {
 public:
     Kernels(std::shared_ptr<Device> device, const Features& features) : cache_(std::move(device)), features_(features) {}
     /// Kernel `name` from kernels/<name>.cl, built with its program (program_of).
     Launch get(const std::string& name);
+    /// Has them built beside the render, where that is allowed (cl/build_ahead.h).
+    void build_ahead(const std::vector<SureKernel>& sure);
     const std::shared_ptr<Device>& device() const { return cache_.device(); }
     const Features& features() const { return features_; }
     ProgramCache& cache() { return cache_; }
@@ -70,6 +79,7 @@ private:
     ProgramCache cache_;
     Features features_;
     std::function<void()> before_launch_;
+    std::unique_ptr<BuildAhead> ahead_;
 };
 
 }  // namespace pencil

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "device/features.h"
 #include "options/layer.h"
 #include "options/pencil_field.h"
 #include "options/render_result.h"
@@ -25,6 +26,7 @@ struct MethodNeeds {
     bool lobes = false;                 // it follows lobes of materials; else they count as even
     int weights = PENCIL_WEIGHTS_DPDF;  // Features::weights
     int cell_grid = 0;                  // Features::cell_grid
+    std::vector<SureKernel> kernels;    // that every render by it launches, beside those of the film
 };
 
 class Method {

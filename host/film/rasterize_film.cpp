@@ -21,7 +21,7 @@ void rasterize_film(Kernels& kernels, const DeviceScene& scene, const Camera& ca
     const int band = std::max(band_rows, (rows + most_bands - 1) / most_bands), bands = (rows + band - 1) / band;
     kernels.get("rasterize_film")
         .args(scene.all_triangles(), camera, bounds, offsets, samples, std::make_tuple(first_row, rows, band), hits)
-        .run(static_cast<std::size_t>(bands) * static_cast<std::size_t>(samples), what, 1);
+        .run(static_cast<std::size_t>(bands) * static_cast<std::size_t>(samples), what);
 }
 
 }  // namespace pencil

@@ -15,6 +15,15 @@ Features complete_features(const FlatScene& flat, const RenderOptions& options, 
     return features;
 }
 
+/// Those of every film, then the method's. Not the very first, which a render builds before another process could.
+std::vector<SureKernel> sure_kernels(const RenderContext& context) {
+    const auto pixels = static_cast<std::size_t>(context.flat.camera.width) * static_cast<std::size_t>(context.flat.camera.height);
+    std::vector<SureKernel> sure{
+        {"classify_film", pixels}, {"emit_surfels", pixels}, {"resolve_film", pixels}, {"film_surfels", pixels}, {"light_surfels"}};
+    sure.insert(sure.end(), context.needs.kernels.begin(), context.needs.kernels.end());
+    return sure;
+}
+
 Prepared preparation(const FlatScene& flat, const MethodNeeds& needs, const Device& device) {
     Prepared prepared;
     if (!needs.maps.empty())
@@ -24,6 +33,7 @@ Prepared preparation(const FlatScene& flat, const MethodNeeds& needs, const Devi
 }
 
 DeviceScene prepare_scene(RenderContext& context, const std::vector<std::shared_ptr<Device>>& helping) {
+    context.kernels.build_ahead(sure_kernels(context));
     Bvh bvh;
     Clusters clusters;
     if (context.prepared.bvh) context.clock.run("hierarchy", [&] { bvh = build_bvh(context.flat.triangles); });

@@ -7,7 +7,7 @@ std::vector<uint> find_sides(Kernels& kernels, const DeviceScene& scene, const G
     Buffer<uint> sides(kernels.device(), tiles * words, "sides of shapes seen");
     kernels.get("find_sides")
         .args(maps.hits, maps.centres(), maps.n, scene.faces(), scene.materials, sides, static_cast<int>(words))
-        .run(tiles, "find sides of shapes", 1);
+        .run(tiles, "find sides of shapes");
     return sides.read();
 }
 

@@ -20,6 +20,23 @@ namespace {
 
 /// Surfels that no pencil sees are worth a warning above this share.
 constexpr std::size_t blind_share = 100;
+/// Of a set of pencils, for SureKernel: there are more.
+constexpr std::size_t texels_of_set = 65536;
+
+std::vector<SureKernel> sure_kernels(int form) {
+    std::vector<SureKernel> sure{{"fold_hits", texels_of_set},
+                                 {"find_enclosing"},
+                                 {"find_sides"},
+                                 {"gather_surfels", texels_of_set},
+                                 {"store_radiance", texels_of_set},
+                                 {"smooth_radiance", texels_of_set},
+                                 {"sum_radiance"}};
+    if (!weights_are_cells(form)) sure.push_back({"project_pencils"});  // those launch groups of their own
+    if (weights_need_rays(form)) sure.push_back({"project_rays"});
+    if (weights_in_maps(form) && weights_need_masks(form)) sure.insert(sure.end(), {{"test_visibility"}, {"estimate_density"}});
+    if (weights_in_maps(form) && !weights_need_masks(form)) sure.push_back({"free_path_density", texels_of_set});
+    return sure;
+}
 
 /// Directions that a surfel of the film may have at most.
 int sites_of_cells(const RenderOptions& options) {
@@ -53,6 +70,7 @@ MethodNeeds line_needs(const Scene& scene, const std::vector<LightForm>& forms, 
     if (scene.sensor.orthographic || scene.sensor.aperture_radius > 0)
         throw UsageError("line projection knows the pinhole camera alone; take --method surface");
     MethodNeeds needs;
+    needs.kernels = sure_kernels(form);
     needs.maps = planned_maps(scene, forms, options);
     needs.hierarchy = follows_rays(options.placement) || weights_need_rays(form);
     needs.weights = form;
