@@ -1,6 +1,6 @@
 // Directional pencil density of the texels of a pencil set: thesis eq. (5.32), alg. 6.1.
 
-#include "lib/octahedral.cl"
+#include "lib/map.cl"
 #include "lib/packet.cl"
 #include "lib/surfel_packet.cl"
 #include "shared/types.h"
@@ -26,7 +26,7 @@ kernel void estimate_density(global const float *surfels, int capacity, int surf
     int first = get_global_id(0) * PENCIL_WIDTH;
     if (first >= surfel_count) return;
     SurfelPacket s = load_surfels(surfels, capacity, first);
-    int tile = first_tile + first / (n * n);
+    int tile = first_tile + first / MAP_TEXELS(n);
     int words = (pencil_count + WORD_BITS - 1) / WORD_BITS;
     int seen[PENCIL_WIDTH], doublings[PENCIL_WIDTH];
     for (int l = 0; l < PENCIL_WIDTH; ++l) seen[l] = 0;
@@ -62,7 +62,7 @@ kernel void estimate_density(global const float *surfels, int capacity, int surf
     vfloat reciprocal = 1.0f / (1.0f + density);
     PACKET_STORE(reciprocal, weight);
     for (int l = 0; l < PENCIL_WIDTH; ++l) {
-        int2 texel = oct_surfel_texel((first + l) % (n * n), n);
-        radiance[oct_atlas_index(tile, texel, n)].w = weight[l];
+        int2 texel = map_surfel_texel((first + l) % MAP_TEXELS(n), n);
+        radiance[map_atlas_index(tile, texel, n)].w = weight[l];
     }
 }

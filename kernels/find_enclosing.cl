@@ -1,14 +1,8 @@
 // Finds centres of projection inside solids from their own geometry maps: inside a solid one sees the backs of its faces.
 
-#include "lib/octahedral.cl"
+#include "lib/map.cl"
 #include "lib/triangle.cl"
 #include "shared/geometry.h"
-
-/// Solid angle of a texel from its direction of unit L1 norm: du dv / |d|^3 (Jacobian of the octahedral map), texel area (2/n)^2.
-static inline float texel_solid_angle(float4 direction, int n) {
-    float inverse = rsqrt(dot(direction.xyz, direction.xyz));
-    return 4.0f / ((float)n * n) * inverse * inverse * inverse;
-}
 
 /// Shape whose back a texel shows, -1 if it shows a front or nothing.
 static inline int back_shape(Hit hit, global const Triangle *triangles, global const float4 *planes, float4 cop) {
@@ -29,10 +23,10 @@ kernel __attribute__((reqd_work_group_size(1, 1, 1))) void find_enclosing(global
     // Majority vote (Boyer and Moore 1981), weighted: if one shape has the majority it is the candidate left.
     int candidate = -1;
     float lead = 0.0f;
-    for (int i = 0; i < n * n; ++i) {
-        int2 texel = (int2)(i % n, i / n);
-        float weight = texel_solid_angle(oct_texel_direction(texel, n), n);
-        int shape = back_shape(hits[oct_atlas_index(tile, texel, n)], triangles, planes, cop);
+    for (int i = 0; i < MAP_TEXELS(n); ++i) {
+        int2 texel = map_texel_of_row(i % n, i / n, n);
+        float weight = map_texel_solid_angle(texel, n);
+        int shape = back_shape(hits[map_atlas_index(tile, texel, n)], triangles, planes, cop);
         if (shape == candidate) {
             lead += weight;
         } else if (weight <= lead) {
@@ -43,10 +37,10 @@ kernel __attribute__((reqd_work_group_size(1, 1, 1))) void find_enclosing(global
         }
     }
     float share = 0.0f;
-    for (int i = 0; i < n * n; ++i) {
-        int2 texel = (int2)(i % n, i / n);
-        bool counts = back_shape(hits[oct_atlas_index(tile, texel, n)], triangles, planes, cop) == candidate;
-        share += counts ? texel_solid_angle(oct_texel_direction(texel, n), n) : 0.0f;
+    for (int i = 0; i < MAP_TEXELS(n); ++i) {
+        int2 texel = map_texel_of_row(i % n, i / n, n);
+        bool counts = back_shape(hits[map_atlas_index(tile, texel, n)], triangles, planes, cop) == candidate;
+        share += counts ? map_texel_solid_angle(texel, n) : 0.0f;
     }
     enclosing[tile] = share > 2.0f * M_PI_F ? candidate : -1;
 }

@@ -1,6 +1,6 @@
 // Finds which sides of which shapes each centre of projection sees. Centres that see a side in common lie in one connected space.
 
-#include "lib/octahedral.cl"
+#include "lib/map.cl"
 #include "lib/triangle.cl"
 #include "shared/geometry.h"
 #include "shared/material.h"
@@ -18,8 +18,8 @@ kernel __attribute__((reqd_work_group_size(1, 1, 1))) void find_sides(global con
     float4 cop = (float4)(cops[tile].xyz, 0.0f);
     global uint *row = sides + (size_t)tile * words;
     for (int w = 0; w < words; ++w) row[w] = 0;
-    for (int i = 0; i < n * n; ++i) {
-        Hit hit = hits[oct_atlas_index(tile, (int2)(i % n, i / n), n)];
+    for (int i = 0; i < MAP_TEXELS(n); ++i) {
+        Hit hit = hits[map_atlas_index(tile, map_texel_of_row(i % n, i / n, n), n)];
         if (hit.triangle < 0) continue;
         global const Triangle *t = triangles + hit.triangle;
         bool back = plane_ahead(planes[t->plane], cop) > 0.0f;

@@ -1,6 +1,6 @@
 // Completes geometry maps: gutters of the hit atlas, and for every 2x2 footprint what visibility tests need to know first.
 
-#include "lib/octahedral.cl"
+#include "lib/map.cl"
 #include "lib/triangle.cl"
 #include "shared/atlas.h"
 #include "shared/geometry.h"
@@ -25,7 +25,7 @@ static inline int4 groups_around(int tile, int2 texel, int n, global const Hit *
     int group[MOST_GROUPS] = {-1, -1, -1, -1}, low[MOST_GROUPS] = {-1, -1, -1, -1}, high[MOST_GROUPS] = {-1, -1, -1, -1};
     int count = 0;
     for (int k = 0; k < AROUND_TEXELS; ++k) {
-        int triangle = hits[oct_atlas_index(tile, oct_texel_around(texel, k, n), n)].triangle;
+        int triangle = hits[map_atlas_index(tile, map_texel_around(texel, k, n), n)].triangle;
         if (triangle < 0) continue;
         int inner = texel_is_inner(k) ? GROUP_INNER : 0;
         bool known = false;
@@ -77,21 +77,21 @@ static inline bool reaches_between(float4 t, float4 a, float4 b, const float4 *d
 kernel void fold_hits(global const Triangle *triangles, global const float4 *planes, global const float4 *cops, int first_tile,
                       int tile_count, int n, global Hit *hits, global int2 *cells, global int4 *groups) {
     int item = get_global_id(0);
-    int texels = PENCIL_TILE_TEXELS(n);
+    int texels = MAP_STORED(n);
     if (item >= tile_count * texels) return;
     int stride = PENCIL_TILE_STRIDE(n);
     int tile = first_tile + item / texels;
     int2 texel = (int2)(item % texels % stride, item % texels / stride) - PENCIL_GUTTER;
-    int2 source = oct_fold_texel(texel, n);
-    int target = oct_atlas_index(tile, texel, n);
-    if (texel.x != source.x || texel.y != source.y) hits[target] = hits[oct_atlas_index(tile, source, n)];
-    if (texel.x >= n || texel.y >= n) return;  // no footprint starts in the last gutter column or row
+    int2 source = map_texel_beside(texel, (int2)(0), n);
+    int target = map_atlas_index(tile, texel, n);
+    if (texel.x != source.x || texel.y != source.y) hits[target] = hits[map_atlas_index(tile, source, n)];
+    if (!map_starts_footprint(texel, n)) return;
 
     int shown[4];
     bool inside = min(texel.x, texel.y) >= 0 && max(texel.x, texel.y) < n - 1;  // no corner to be folded
     for (int k = 0; k < 4; ++k) {
         int2 corner = (int2)(k & 1, k >> 1);
-        int at = inside ? target + corner.y * stride + corner.x : oct_atlas_index(tile, oct_fold_texel(texel + corner, n), n);
+        int at = inside ? target + corner.y * stride + corner.x : map_atlas_index(tile, map_footprint_texel(texel, k, n), n);
         int triangle = hits[at].triangle;
         shown[k] = triangle < 0 ? -1 : triangles[triangle].plane;
     }
@@ -108,7 +108,7 @@ kernel void fold_hits(global const Triangle *triangles, global const float4 *pla
     float4 cop = (float4)(cops[tile].xyz, 0.0f), directions[4], plane[4];
     for (int k = 0; k < 4; ++k) {
         plane[k] = planes[max(shown[k], 0)];
-        directions[k] = oct_texel_direction(oct_fold_texel(texel + (int2)(k & 1, k >> 1), n), n);
+        directions[k] = map_texel_direction(map_footprint_texel(texel, k, n), n);
     }
     int4 around = groups_around(tile, texel, n, hits, triangles);
     int near[MOST_GROUPS];

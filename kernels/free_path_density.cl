@@ -3,7 +3,7 @@
 // of the line through pencil and point. Both ends of the line stand in the pencil's own map, at a texel and at its antipode.
 
 #include "lib/balance.cl"
-#include "lib/octahedral.cl"
+#include "lib/map.cl"
 #include "shared/geometry.h"
 #include "shared/weights.h"
 
@@ -27,12 +27,12 @@ static inline float free_distance(Hit hit, float4 cop, float4 direction, float4 
 kernel void free_path_density(global const Hit *hits, global const float4 *cops, int first_tile, int tile_count, int n, float4 low,
                               float4 high, float volume, global float4 *radiance) {
     int i = get_global_id(0);
-    if (i >= tile_count * n * n) return;
-    int tile = first_tile + i / (n * n);
-    int2 texel = (int2)(i % n, i / n % n), behind = oct_antipode(texel, n);
-    float4 cop = cops[tile], direction = oct_texel_direction(texel, n);
-    int at = oct_atlas_index(tile, texel, n);
-    float before = free_distance(hits[oct_atlas_index(tile, behind, n)], cop, -direction, low, high);
+    if (i >= tile_count * MAP_TEXELS(n)) return;
+    int tile = first_tile + i / MAP_TEXELS(n);
+    int2 texel = map_texel_of_row(i % n, i / n % (MAP_PANELS * n), n), behind = map_antipode(texel, n);
+    float4 cop = cops[tile], direction = map_texel_direction(texel, n);
+    int at = map_atlas_index(tile, texel, n);
+    float before = free_distance(hits[map_atlas_index(tile, behind, n)], cop, -direction, low, high);
     if (PENCIL_WEIGHTS == PENCIL_WEIGHTS_POWER) {
         radiance[at].w = before;
         return;

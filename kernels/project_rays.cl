@@ -6,7 +6,7 @@
 #include "lib/footprint.cl"
 #include "lib/hash.cl"
 #include "lib/hemisphere.cl"
-#include "lib/octahedral.cl"
+#include "lib/map.cl"
 #include "lib/packet.cl"
 #include "lib/projection.cl"
 #include "lib/rays.cl"
@@ -100,7 +100,7 @@ static inline bool texel_shows_place(const VisibilityMap *map, Hit hit, float4 c
     if (plane == own) return true;
     float4 seen = ray / hit.disparity, shown = map->planes[plane];
     if (plane_ahead(shown, cop) > 0.0f) shown = -shown;
-    return distance(cop + seen, x) * map->n < NEAR_TEXELS * length(seen) && dot(shown.xyz, normal) > M_SQRT1_2_F;
+    return distance(cop + seen, x) * (MAP_FINENESS * map->n) < NEAR_TEXELS * length(seen) && dot(shown.xyz, normal) > M_SQRT1_2_F;
 }
 
 /// Radiance (rgb) that place l sends to the centre of `pencil`, which passes it on in the same direction: the bilinear mean of those texels of
@@ -108,18 +108,18 @@ static inline bool texel_shows_place(const VisibilityMap *map, Hit hit, float4 c
 static inline float4 texels_of_place(const Places *p, const PencilField *field, int pencil, const Footprint *f, int l) {
     const VisibilityMap *map = &field->map;
     const int n = map->n, own = LANE_INT(p->plane, l);
-    int2 corner = footprint_corner(f, l), cell = map->cells[LANE_INT(f->index, l) + pencil * PENCIL_TILE_TEXELS(n)];
+    int2 corner = footprint_corner(f, l), cell = map->cells[LANE_INT(f->index, l) + pencil * MAP_STORED(n)];
     float fx = LANE_FLOAT(f->fx, l), fy = LANE_FLOAT(f->fy, l);
     float4 cop = (float4)(field->cops[pencil].xyz, 0.0f), x = (float4)(LANE_FLOAT(p->x, l), LANE_FLOAT(p->y, l), LANE_FLOAT(p->z, l), 0.0f);
     float3 normal = (float3)(LANE_FLOAT(p->nx, l), LANE_FLOAT(p->ny, l), LANE_FLOAT(p->nz, l));
     float4 sum = (float4)(0.0f);
     if ((cell.x != own || cell.y != own) && !crowded_footprint_visible(map, pencil, corner, fx, fy, cop, x, own)) return sum;
     for (int k = 0; k < 4; ++k) {
-        int2 texel = oct_fold_texel(corner + (int2)(k & 1, k >> 1), n);
-        Hit hit = map->hits[oct_atlas_index(pencil, texel, n)];
-        if (!texel_shows_place(map, hit, cop, oct_texel_direction(texel, n), x, own, normal)) continue;
+        int2 texel = map_footprint_texel(corner, k, n);
+        Hit hit = map->hits[map_atlas_index(pencil, texel, n)];
+        if (!texel_shows_place(map, hit, cop, map_texel_direction(texel, n), x, own, normal)) continue;
         float weight = (k & 1 ? fx : 1.0f - fx) * (k >> 1 ? fy : 1.0f - fy);
-        sum += weight * (float4)(field->radiance[oct_atlas_index(pencil, oct_antipode(texel, n), n)].xyz, 1.0f);
+        sum += weight * (float4)(field->radiance[map_atlas_index(pencil, map_antipode(texel, n), n)].xyz, 1.0f);
     }
     return sum;
 }
@@ -138,7 +138,7 @@ static inline void look_up(Places p, const PencilField *field, float4 *light) {
             y[l] = cop.y;
             z[l] = cop.z;
         }
-        Footprint f = packet_footprint(p.x - PACKET_LOAD(x), p.y - PACKET_LOAD(y), p.z - PACKET_LOAD(z), field->map.n);
+        Footprint f = map_footprint(p.x - PACKET_LOAD(x), p.y - PACKET_LOAD(y), p.z - PACKET_LOAD(z), field->map.n);
         int found[PENCIL_WIDTH];
         for (int l = 0; l < PENCIL_WIDTH; ++l) {
             found[l] = 0;

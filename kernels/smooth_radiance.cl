@@ -1,6 +1,6 @@
 // Completes radiance maps: smooths over a texel and fills the gutters by folding, so that bilinear look-ups are seamless.
 
-#include "lib/octahedral.cl"
+#include "lib/map.cl"
 #include "shared/atlas.h"
 #include "shared/weights.h"
 
@@ -15,21 +15,21 @@
 /// turns them into ramps of the width that bilinear look-ups resolve anyway.
 kernel void smooth_radiance(global const float4 *sharp, int first_tile, int tile_count, int n, global float4 *radiance) {
     int item = get_global_id(0);
-    int texels = PENCIL_TILE_TEXELS(n);
+    int texels = MAP_STORED(n);
     if (item >= tile_count * texels) return;
     int stride = PENCIL_TILE_STRIDE(n);
     int tile = item / texels;
-    int2 centre = oct_fold_texel((int2)(item % texels % stride, item % texels / stride) - PENCIL_GUTTER, n);
-    int at = oct_atlas_index(tile, centre, n);
+    int2 centre = map_texel_beside((int2)(item % texels % stride, item % texels / stride) - PENCIL_GUTTER, (int2)(0), n);
+    int at = map_atlas_index(tile, centre, n);
     if (PENCIL_WEIGHTS == PENCIL_WEIGHTS_POWER) {
         radiance[(size_t)first_tile * texels + item] = sharp[at];
         return;
     }
-    bool inside = min(centre.x, centre.y) > 0 && max(centre.x, centre.y) < n - 1;  // no neighbour to be folded
+    bool inside = map_is_inner(centre, n);  // no neighbour to be folded
     float3 sum = (float3)(0.0f);
     for (int dy = -1; dy <= 1; ++dy)
         for (int dx = -1; dx <= 1; ++dx) {
-            int from = inside ? at + dy * stride + dx : oct_atlas_index(tile, oct_fold_texel(centre + (int2)(dx, dy), n), n);
+            int from = inside ? at + dy * stride + dx : map_atlas_index(tile, map_texel_beside(centre, (int2)(dx, dy), n), n);
             sum += (float)((2 - abs(dx)) * (2 - abs(dy))) * sharp[from].xyz;
         }
     radiance[(size_t)first_tile * texels + item] = (float4)(sum / BINOMIAL_SUM, sharp[at].w);

@@ -8,6 +8,7 @@
 
 #include "cl/build_ahead.h"
 #include "cl/program.h"
+#include "device/map_shape.h"
 #include "pencils/flat_scene.h"
 #include "shared/weights.h"
 
@@ -33,6 +34,7 @@ struct Features {
     // What the method needs:
     int weights = PENCIL_WEIGHTS_DPDF;  // form of the quadrature weights (shared/weights.h)
     int cell_grid = 0;                  // root of the greatest number of directions that sample cells, 0 for weights that are none
+    int map_kind = PENCIL_MAP_OCTAHEDRAL;  // of pencils and light samples (shared/map_kind.h)
     bool bvh = false;                   // rays through the hierarchy decide visibility, geometry maps do not
 };
 
@@ -64,6 +66,8 @@ public:
     void poll() const {
         if (before_launch_) before_launch_();
     }
+    /// Maps of the render's kind with as many texels as octahedral ones of `width`.
+    MapShape map_shape(int width) const { return {features_.map_kind, width}; }
     /// Packets per work-item (PENCIL_BLOCK): enough on CPUs to reuse what the caches hold, one where work-items are narrow.
     int block() const { return device()->packet_width() > 1 ? 8 : 1; }
     std::size_t blocks(int surfels) const {

@@ -14,14 +14,14 @@ namespace {
 /// Kernels index texels with 32 bits.
 constexpr std::size_t most_texels = 0x7fffffff;
 
-/// n = 0: no maps, and one texel since there are no empty buffers.
-std::size_t atlas_texels(std::size_t tiles, int n) {
-    if (n == 0) return 1;
-    const std::size_t texels = tiles * static_cast<std::size_t>(PENCIL_TILE_TEXELS(n));
+/// Width 0: no maps, and one texel since there are no empty buffers.
+std::size_t atlas_texels(std::size_t tiles, const MapShape& shape) {
+    if (shape.n == 0) return 1;
+    const std::size_t texels = tiles * static_cast<std::size_t>(shape.stored());
     if (texels > most_texels)
-        throw MemoryError(fmt::format(
-            "{} maps of {}x{} texels are more than one atlas holds (2^31 texels); use fewer pencils or light samples, or a smaller map",
-            tiles, n, n));
+        throw MemoryError(
+            fmt::format("{} {} are more than one atlas holds (2^31 texels); use fewer pencils or light samples, or a smaller map", tiles,
+                        describe(shape)));
     return texels;
 }
 
@@ -34,17 +34,18 @@ std::vector<float4> positions_of(const std::vector<LightSample>& samples) {
 
 }  // namespace
 
-GeometryMaps::GeometryMaps(const std::shared_ptr<Device>& device, const std::vector<float4>& positions, int tile_size,
+GeometryMaps::GeometryMaps(const std::shared_ptr<Device>& device, const std::vector<float4>& positions, const MapShape& map_shape,
                            const std::string& what)
     : count(static_cast<int>(positions.size())),
-      n(tile_size),
+      n(map_shape.n),
+      shape(map_shape),
       cops(device, positions, what + " centres"),
-      hits(device, atlas_texels(positions.size(), tile_size), what + " geometry maps"),
-      groups(device, atlas_texels(positions.size(), tile_size), what + " footprint groups"),
-      cells(device, atlas_texels(positions.size(), tile_size), what + " footprint cells") {}
+      hits(device, atlas_texels(positions.size(), map_shape), what + " geometry maps"),
+      groups(device, atlas_texels(positions.size(), map_shape), what + " footprint groups"),
+      cells(device, atlas_texels(positions.size(), map_shape), what + " footprint cells") {}
 
 void GeometryMaps::copy_tile(const GeometryMaps& other, int source, int target) {
-    const std::size_t texels = atlas_texels(1, n), from = static_cast<std::size_t>(source), to = static_cast<std::size_t>(target);
+    const std::size_t texels = atlas_texels(1, shape), from = static_cast<std::size_t>(source), to = static_cast<std::size_t>(target);
     cops.copy_from(other.cops, from, to, 1);
     hits.copy_from(other.hits, from * texels, to * texels, texels);
     groups.copy_from(other.groups, from * texels, to * texels, texels);
@@ -52,10 +53,10 @@ void GeometryMaps::copy_tile(const GeometryMaps& other, int source, int target) 
 }
 
 PencilSet::PencilSet(const std::shared_ptr<Device>& device, std::shared_ptr<GeometryMaps> geometry)
-    : maps(std::move(geometry)), radiance(device, atlas_texels(static_cast<std::size_t>(maps->count), maps->n), "pencil radiance maps") {}
+    : maps(std::move(geometry)), radiance(device, atlas_texels(static_cast<std::size_t>(maps->count), maps->shape), "pencil radiance maps") {}
 
-LightSet::LightSet(const std::shared_ptr<Device>& device, const std::vector<LightSample>& light_samples, int tile_size)
-    : samples(device, light_samples, "light samples"), maps(device, positions_of(light_samples), tile_size, "light sample") {
+LightSet::LightSet(const std::shared_ptr<Device>& device, const std::vector<LightSample>& light_samples, const MapShape& shape)
+    : samples(device, light_samples, "light samples"), maps(device, positions_of(light_samples), shape, "light sample") {
     const auto is_alone = [](const LightSample& s) {
         return s.position.w != LIGHT_AREA && !(s.position.w == LIGHT_INFINITE && s.normal.w > 0);
     };

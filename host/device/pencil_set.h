@@ -1,4 +1,4 @@
-// A set of pencils in device memory: centres and atlases of n x n tiles (kernels/shared/atlas.h). Also the geometry maps of light samples.
+// A set of pencils in device memory: centres and atlases of their maps (kernels/shared/atlas.h). Also the geometry maps of light samples.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -8,6 +8,7 @@
 
 #include "cl/buffer.h"
 #include "device/device_scene.h"
+#include "device/map_shape.h"
 #include "shared/atlas.h"
 #include "shared/geometry.h"
 #include "shared/light.h"
@@ -18,8 +19,9 @@ namespace pencil {
 /// Geometry maps: what every texel of every tile sees.
 struct GeometryMaps {
     GeometryMaps() = default;
-    /// `tile_size` 0: centres without maps, for rays.
-    GeometryMaps(const std::shared_ptr<Device>& device, const std::vector<float4>& positions, int tile_size, const std::string& what);
+    /// A shape of width 0: centres without maps, for rays.
+    GeometryMaps(const std::shared_ptr<Device>& device, const std::vector<float4>& positions, const MapShape& map_shape,
+                 const std::string& what);
 
     /// Copies one tile of maps of the same size.
     void copy_tile(const GeometryMaps& other, int source, int target);
@@ -28,8 +30,13 @@ struct GeometryMaps {
     auto centres() const { return std::tie(cops, count); }
     auto tiles(int first, int number) const { return std::tuple<const Buffer<float4>&, int, int, int>(cops, first, number, n); }
 
-    int count = 0;  // tiles
-    int n = 0;      // texels along a side
+    /// Texels of a tile, without gutters and with.
+    int texels() const { return shape.texels(); }
+    int stored() const { return shape.stored(); }
+
+    int count = 0;   // tiles
+    int n = 0;       // texels along a side of a panel
+    MapShape shape;  // of every tile
     Buffer<float4> cops;
     Buffer<Hit> hits;
     Buffer<glm::ivec4> groups;  // triangles about footprints that no plane fills
@@ -53,7 +60,7 @@ struct PencilSet {
 /// Light samples with their geometry maps.
 struct LightSet {
     LightSet() = default;
-    LightSet(const std::shared_ptr<Device>& device, const std::vector<LightSample>& light_samples, int tile_size);
+    LightSet(const std::shared_ptr<Device>& device, const std::vector<LightSample>& light_samples, const MapShape& shape);
 
     /// Arguments `samples, sample_count` of kernels.
     auto list() const { return std::tie(samples, maps.count); }

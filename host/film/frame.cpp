@@ -62,7 +62,7 @@ void Frame::make_lights(int count, int map, const Turn& turn) {
         context_.receivers = some_receivers(*film_);
     samples_ = sample_lights(context_.scene, context_.flat, context_.forms, count, turn.seed, turn.index, context_.receivers);
     if (samples_.empty()) return;
-    lights_ = LightSet(context_.kernels.device(), samples_, map);
+    lights_ = LightSet(context_.kernels.device(), samples_, context_.kernels.map_shape(map));
     if (map > 0) make_geometry_maps(context_.kernels, context_.device_scene, lights_.maps, 0, lights_.maps.count);
 }
 

@@ -12,6 +12,7 @@ Features complete_features(const FlatScene& flat, const RenderOptions& options, 
     features.bvh = needs.rays_for_visibility;
     features.weights = needs.weights;
     features.cell_grid = needs.cell_grid;
+    features.map_kind = needs.map_kind;
     return features;
 }
 
@@ -27,7 +28,7 @@ std::vector<SureKernel> sure_kernels(const RenderContext& context) {
 Prepared preparation(const FlatScene& flat, const MethodNeeds& needs, const Device& device) {
     Prepared prepared;
     if (!needs.maps.empty())
-        prepared = plan_preparation(static_cast<int>(flat.triangles.size()), needs.maps, static_cast<int>(device.info().compute_units));
+        prepared = plan_preparation(static_cast<int>(flat.triangles.size()), needs.maps, static_cast<int>(device.info().compute_units), needs.map_kind);
     prepared.bvh = prepared.bvh || needs.hierarchy;
     return prepared;
 }

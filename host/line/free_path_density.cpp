@@ -13,10 +13,9 @@ std::tuple<float4, float4, float> even_density(const CentreSpace& space) {
 }
 
 void free_path_density(Kernels& kernels, int first, int count, const CentreSpace& space, PencilSet& set) {
-    const int n = set.maps->n;
     kernels.get("free_path_density")
         .args(set.maps->hits, set.maps->tiles(first, count), even_density(space), set.radiance)
-        .run(static_cast<std::size_t>(count) * static_cast<std::size_t>(n * n), "pencil density");
+        .run(static_cast<std::size_t>(count) * static_cast<std::size_t>(set.maps->texels()), "pencil density");
 }
 
 }  // namespace pencil

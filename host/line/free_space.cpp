@@ -13,13 +13,13 @@ namespace pencil {
 namespace {
 
 std::shared_ptr<GeometryMaps> made_maps(Kernels& kernels, const DeviceScene& scene, const std::vector<float4>& centres, int n) {
-    auto maps = std::make_shared<GeometryMaps>(kernels.device(), centres, n, "pencil");
+    auto maps = std::make_shared<GeometryMaps>(kernels.device(), centres, kernels.map_shape(n), "pencil");
     make_geometry_maps(kernels, scene, *maps, 0, maps->count);
     return maps;
 }
 
 std::shared_ptr<GeometryMaps> empty_maps(Kernels& kernels, int count, int n) {
-    return std::make_shared<GeometryMaps>(kernels.device(), std::vector<float4>(static_cast<std::size_t>(count)), n, "pencil");
+    return std::make_shared<GeometryMaps>(kernels.device(), std::vector<float4>(static_cast<std::size_t>(count)), kernels.map_shape(n), "pencil");
 }
 
 /// Candidates of the next round, so that as many as are missing are likely to be accepted at the rate seen so far.

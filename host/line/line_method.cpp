@@ -64,6 +64,9 @@ MethodNeeds line_needs(const Scene& scene, const std::vector<LightForm>& forms, 
                              ? "--method hybrid holds for centres spread evenly; take --placement random or lds, or --method line"
                              : "--weights analytic holds for centres spread evenly; take --placement random or lds, or --weights dpdf or "
                                "voronoi");
+    const int kind = kernel_map_kind(options.map_kind);
+    if (kind != PENCIL_MAP_OCTAHEDRAL && (options.field || options.keep_field))
+        throw UsageError("a field of pencils has octahedral maps; take --map-kind octahedral");
     if (scene.environment || !scene.directional_lights.empty())
         throw UsageError(
             "line projection knows no light from infinitely far away: environments, skies, directional lights; take --method surface");
@@ -73,6 +76,7 @@ MethodNeeds line_needs(const Scene& scene, const std::vector<LightForm>& forms, 
     needs.kernels = sure_kernels(form);
     needs.maps = planned_maps(scene, forms, options);
     needs.hierarchy = follows_rays(options.placement) || weights_need_rays(form);
+    needs.map_kind = kind;
     needs.weights = form;
     needs.cell_grid = weights_are_cells(form) ? largest_cell_grid(sites_of_cells(options)) : 0;
     return needs;
@@ -267,11 +271,12 @@ std::shared_ptr<PencilField> LineMethod::field() const {
 
 std::vector<std::string> LineMethod::explain() const {
     const RenderOptions& options = context_.options;
-    std::vector<std::string> lines{explain_weights(context_.kernels.features().weights, cell_grid(sites_of_cells(options))),
+    std::vector<std::string> lines{"pencils: " + describe(context_.kernels.map_shape(options.map)),
+                                   explain_weights(context_.kernels.features().weights, cell_grid(sites_of_cells(options))),
                                    explain_iteration(options)};
     if (options.bounces == 1) lines.push_back("left out: all pencil sets that do not carry direct light (one reflection)");
     if (options.field)
-        return {lines.front(), fmt::format("left out: rooms, placement and transport between pencils; the light is that of a field of {}",
+        return {lines[0], lines[1], fmt::format("left out: rooms, placement and transport between pencils; the light is that of a field of {}",
                                            options.pencils)};
     if (projected_ == 0) return lines;
     std::string rooms;

@@ -24,8 +24,8 @@ constexpr int chunk_surfels = 1 << 20;
 /// Masks of one chunk take at most this much [bytes].
 constexpr std::size_t mask_bytes = std::size_t{128} << 20;
 
-int chunk_tiles(int n, int pencils) {
-    const std::size_t texels = static_cast<std::size_t>(n) * static_cast<std::size_t>(n);
+int chunk_tiles(int map_texels, int pencils) {
+    const auto texels = static_cast<std::size_t>(map_texels);
     const std::size_t by_mask = mask_bytes / (sizeof(uint) * static_cast<std::size_t>(mask_words(pencils)) * texels);
     const std::size_t by_surfels = chunk_surfels / texels;
     return static_cast<int>(std::clamp<std::size_t>(std::min(by_mask, by_surfels), 1, static_cast<std::size_t>(pencils)));
@@ -54,7 +54,7 @@ PencilSet PencilSolver::create(int index, const PencilSet* source, bool emission
 }
 
 PencilSet PencilSolver::create_at(const std::vector<float4>& centres) {
-    auto maps = std::make_shared<GeometryMaps>(kernels_.device(), centres, options_.map, "pencil");
+    auto maps = std::make_shared<GeometryMaps>(kernels_.device(), centres, kernels_.map_shape(options_.map), "pencil");
     times_.maps += clock_.run("pencil maps", [&] { make_geometry_maps(kernels_, scene_, *maps, 0, maps->count); });
     return PencilSet(kernels_.device(), std::move(maps));
 }
@@ -62,8 +62,8 @@ PencilSet PencilSolver::create_at(const std::vector<float4>& centres) {
 /// Mean radiance of maps that are not kept.
 std::vector<float4> PencilSolver::power_seen(std::shared_ptr<GeometryMaps> maps, const PencilSet* source, bool emission, bool direct) {
     PencilSet probes(kernels_.device(), std::move(maps));
-    const int n = probes.maps->n, tiles = std::min(chunk_surfels / (n * n), probes.maps->count);
-    Surfels surfels(kernels_, tiles * n * n, "surfels of probes");
+    const int texels = probes.maps->texels(), tiles = std::min(chunk_surfels / texels, probes.maps->count);
+    Surfels surfels(kernels_, tiles * texels, "surfels of probes");
     Buffer<float> outgoing = surfel_rgb(kernels_.device(), surfels.capacity, "radiance of probes");
     Buffer<int> visible(kernels_.device(), static_cast<std::size_t>(surfels.capacity), "visible pencils");
     for (int first = 0; first < probes.maps->count; first += tiles) {
@@ -83,7 +83,7 @@ void PencilSolver::send(const GeometryMaps& maps, int first, int count, const Pe
     if (direct) light_surfels(kernels_, scene_, surfels, lights_, outgoing, "direct light to pencils");
     if (!source) return;
     RayChoice rays = map_rays(options_, sets_);
-    rays.first_key = static_cast<std::uint32_t>(first) * static_cast<std::uint32_t>(maps.n * maps.n);
+    rays.first_key = static_cast<std::uint32_t>(first) * static_cast<std::uint32_t>(maps.texels());
     project(surfels, *source, rays, outgoing, visible, "pencil transport");
 }
 
@@ -140,9 +140,8 @@ void PencilSolver::weigh(PencilSet& target) {
 void PencilSolver::fill(PencilSet& target, const PencilSet* source, bool emission, bool direct, bool weights) {
     ++sets_;
     const auto& device = kernels_.device();
-    const int n = target.maps->n;
-    const int tiles = chunk_tiles(n, target.maps->count);
-    Surfels surfels(kernels_, tiles * n * n, "surfels of pencil maps");
+    const int tiles = chunk_tiles(target.maps->texels(), target.maps->count);
+    Surfels surfels(kernels_, tiles * target.maps->texels(), "surfels of pencil maps");
     Buffer<float> outgoing = surfel_rgb(device, surfels.capacity, "radiance of pencil maps");
     Buffer<int> visible(device, static_cast<std::size_t>(surfels.capacity), "visible pencils");
     const bool density = weights && weights_in_maps(form());

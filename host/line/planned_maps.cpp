@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "shared/map_kind.h"
+
 namespace pencil {
 
 namespace {
@@ -29,6 +31,20 @@ int planned_sets(const RenderOptions& options, bool maps_emit) {
 }
 
 }  // namespace
+
+int kernel_map_kind(MapKind kind) {
+    switch (kind) {
+        case MapKind::pyramid:
+            return PENCIL_MAP_PYRAMID;
+        case MapKind::cube:
+            return PENCIL_MAP_CUBE;
+        case MapKind::paraboloid:
+            return PENCIL_MAP_PARABOLOID;
+        case MapKind::octahedral:
+            break;
+    }
+    return PENCIL_MAP_OCTAHEDRAL;
+}
 
 int light_map_size(int map) { return std::max(map, std::min(light_map_factor * map, largest_light_map)); }
 

@@ -17,6 +17,9 @@ constexpr int level_group = 4;
 /// Numbers of pencils of the levels, about: the finest first.
 std::vector<int> level_sizes(int pencils);
 
+/// The value of PENCIL_MAP_KIND.
+int kernel_map_kind(MapKind kind);
+
 /// Width of the maps of light samples beside pencil maps of width `map`.
 int light_map_size(int map);
 

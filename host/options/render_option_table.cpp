@@ -27,7 +27,7 @@ constexpr int map_step = 8, largest_map = 1024;
 /// In the order of the enumerations.
 const std::vector<std::string> methods{"surface", "line", "hybrid"}, initials{"direct", "emission", "auto"},
     placements{"random", "lds", "near-surface", "light-rays", "camera-rays", "profile"},
-    weightings{"dpdf", "voronoi", "analytic", "thesis"}, iterations{"sets", "fixed", "levels"};
+    weightings{"dpdf", "voronoi", "analytic", "thesis"}, iterations{"sets", "fixed", "levels"}, map_kinds{"octahedral", "pyramid", "cube", "paraboloid"};
 
 Option only(std::initializer_list<MethodName> served, Option option) {
     for (const MethodName method : served) option.methods += (option.methods.empty() ? "" : ", ") + to_string(method);
@@ -161,6 +161,10 @@ std::vector<Option> render_option_table(RenderOptions& o) {
         real_option("--tolerance", o.tolerance, 0, false, 1,
                     "Stop when a bounce adds less than this share; the rest is estimated and reported"),
         only({line, hybrid}, map_option(o.map)),
+        only({line, hybrid},
+             word_option("--map-kind", o.map_kind, map_kinds,
+                         "Projection of a pencil's map; the others have about as many texels as the octahedral one: 2 squares, of the "
+                         "cube 6, of width N / sqrt(2), N / sqrt(6), to the nearest multiple of 4")),
         integer_option("--light-samples", o.light_samples, 1, many, "Point samples over all emitters"),
         word_option("--initial", o.initial, initials,
                     "Direct light from light samples, or from maps that carry emitted light; auto decides per emitter"),

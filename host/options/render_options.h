@@ -16,6 +16,7 @@ enum class Initial { direct, emission, automatic };
 enum class Placement { random, lds, near_surface, light_rays, camera_rays, profile };
 enum class Weights { dpdf, voronoi, analytic, thesis };
 enum class Iterate { sets, fixed, levels };
+enum class MapKind { octahedral, pyramid, cube, paraboloid };
 
 constexpr double target_of_scene = 0;    // RenderOptions::target_error: standard_target
 constexpr int pencils_of_method = 0;     // RenderOptions::pencils: standard_pencils of the method
@@ -30,6 +31,7 @@ struct RenderOptions {
     int least_pencils = pencils_of_method;  // line: sets do not shrink below this
     int bounces = bounces_of_scene;         // reflections at most, direct light included
     int map = 64;                           // line: octahedral tile size, a multiple of 8 [texels]
+    MapKind map_kind = MapKind::octahedral;  // line, hybrid: other kinds have about as many texels
     int light_samples = 64;
     Initial initial = Initial::automatic;
     std::vector<Placement> placement{Placement::lds};  // line: a mixture, in turn

@@ -27,14 +27,17 @@ PathCost cost_of(VisibilityPath path) {
     return {};
 }
 
-bool available(VisibilityPath path, const MapBatch& batch, const Prepared& prepared) {
+/// Whether triangles can be drawn into maps of a kind.
+bool is_drawn(int kind) { return kind == PENCIL_MAP_OCTAHEDRAL; }
+
+bool available(VisibilityPath path, const MapBatch& batch, const Prepared& prepared, int kind) {
     switch (path) {
         case VisibilityPath::rasterize:
-            return true;
+            return is_drawn(kind);
         case VisibilityPath::clusters:
-            return prepared.clusters;
+            return is_drawn(kind) && prepared.clusters;
         case VisibilityPath::trace:
-            return prepared.bvh && batch.size % 4 == 0;
+            return prepared.bvh && MapShape(kind, batch.size).n % 4 == 0;
     }
     return false;
 }
@@ -58,11 +61,15 @@ std::string seconds_text(double seconds) {
     return text;
 }
 
-double total_seconds(int triangles, const std::vector<MapBatch>& batches, int compute_units, const Prepared& prepared) {
+/// Infinite if some batch cannot be made.
+double total_seconds(int triangles, const std::vector<MapBatch>& batches, int compute_units, const Prepared& prepared, int kind) {
     double sum = prepared.clusters ? preparation_seconds(VisibilityPath::clusters, triangles) : 0.0;
     if (prepared.bvh) sum += preparation_seconds(VisibilityPath::trace, triangles);
-    for (const MapBatch& batch : batches)
-        sum += maps_seconds(choose_path(triangles, batch, compute_units, prepared), triangles, batch, compute_units);
+    for (const MapBatch& batch : batches) {
+        const VisibilityPath path = choose_path(triangles, batch, compute_units, prepared, kind);
+        if (!available(path, batch, prepared, kind)) return std::numeric_limits<double>::infinity();
+        sum += maps_seconds(path, triangles, batch, compute_units);
+    }
     return sum;
 }
 
@@ -88,23 +95,23 @@ double maps_seconds(VisibilityPath path, int triangles, const MapBatch& batch, i
     return 1e-9 * batch.maps * map / compute_units;
 }
 
-VisibilityPath choose_path(int triangles, const MapBatch& batch, int compute_units, const Prepared& prepared) {
+VisibilityPath choose_path(int triangles, const MapBatch& batch, int compute_units, const Prepared& prepared, int kind) {
     VisibilityPath best = VisibilityPath::rasterize;
     double least = std::numeric_limits<double>::infinity();
     for (const VisibilityPath path : visibility_paths) {
         const double seconds = maps_seconds(path, triangles, batch, compute_units);
-        if (!available(path, batch, prepared) || seconds >= least) continue;
+        if (!available(path, batch, prepared, kind) || seconds >= least) continue;
         best = path;
         least = seconds;
     }
     return best;
 }
 
-Prepared plan_preparation(int triangles, const std::vector<MapBatch>& batches, int compute_units) {
+Prepared plan_preparation(int triangles, const std::vector<MapBatch>& batches, int compute_units, int kind) {
     Prepared best;
     double least = std::numeric_limits<double>::infinity();
     for (const Prepared& prepared : {Prepared{false, false}, Prepared{true, false}, Prepared{false, true}, Prepared{true, true}}) {
-        const double seconds = total_seconds(triangles, batches, compute_units, prepared);
+        const double seconds = total_seconds(triangles, batches, compute_units, prepared, kind);
         if (seconds >= least) continue;
         best = prepared;
         least = seconds;
@@ -112,15 +119,17 @@ Prepared plan_preparation(int triangles, const std::vector<MapBatch>& batches, i
     return best;
 }
 
-std::string explain_paths(int triangles, const std::vector<MapBatch>& batches, int compute_units, const Prepared& prepared) {
+std::string explain_paths(int triangles, const std::vector<MapBatch>& batches, int compute_units, const Prepared& prepared, int kind) {
     std::string text = fmt::format("geometry maps over {} triangles: ", triangles);
     for (const MapBatch& batch : batches) {
-        const std::string size = std::to_string(batch.size);
-        text += fmt::format("about {} of {}x{} {} (predicted:", batch.maps, size, size,
-                            words(choose_path(triangles, batch, compute_units, prepared)));
-        for (const VisibilityPath path : visibility_paths)
-            text += std::string(path == VisibilityPath::rasterize ? " " : ", ") + words(path) + " " +
-                    seconds_text(maps_seconds(path, triangles, batch, compute_units));
+        text += fmt::format("about {} {} {} (predicted:", batch.maps, describe(MapShape(kind, batch.size)),
+                            words(choose_path(triangles, batch, compute_units, prepared, kind)));
+        const char* separator = " ";
+        for (const VisibilityPath path : visibility_paths) {
+            if (path != VisibilityPath::trace && !is_drawn(kind)) continue;
+            text += separator + (words(path) + (" " + seconds_text(maps_seconds(path, triangles, batch, compute_units))));
+            separator = ", ";
+        }
         text += "); ";
     }
     if (!prepared.clusters && !prepared.bvh) return text + "nothing to prepare";

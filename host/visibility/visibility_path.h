@@ -7,13 +7,15 @@
 #include <vector>
 
 #include "device/device_scene.h"
+#include "device/map_shape.h"
+#include "shared/map_kind.h"
 
 namespace pencil {
 
 enum class VisibilityPath { rasterize, clusters, trace };
 constexpr std::array<VisibilityPath, 3> visibility_paths{VisibilityPath::rasterize, VisibilityPath::clusters, VisibilityPath::trace};
 
-/// Maps of `size` x `size` texels.
+/// Maps of `size` x `size` texels, or of other kinds with as many.
 struct MapBatch {
     int maps = 0, size = 0;
 };
@@ -31,13 +33,16 @@ double preparation_seconds(VisibilityPath path, int triangles);
 /// factor of 1.25. They are those of two cores with AVX-512; other CPUs are slower or faster by about the same factor for all three.
 double maps_seconds(VisibilityPath path, int triangles, const MapBatch& batch, int compute_units);
 
-/// The fastest path of those that are prepared. Rays need a map size that is a multiple of 4.
-VisibilityPath choose_path(int triangles, const MapBatch& batch, int compute_units, const Prepared& prepared);
+/// The fastest path of those that are prepared and can make maps of `kind` (shared/map_kind.h): others than octahedral ones are traced. Rays
+/// need a map size that is a multiple of 4.
+VisibilityPath choose_path(int triangles, const MapBatch& batch, int compute_units, const Prepared& prepared,
+                           int kind = PENCIL_MAP_OCTAHEDRAL);
 
 /// What to prepare so that preparation and all batches together take the least time; as little as possible where it makes no difference.
-Prepared plan_preparation(int triangles, const std::vector<MapBatch>& batches, int compute_units);
+Prepared plan_preparation(int triangles, const std::vector<MapBatch>& batches, int compute_units, int kind = PENCIL_MAP_OCTAHEDRAL);
 
 /// One sentence for --explain: the choice for each batch, and what each path would take.
-std::string explain_paths(int triangles, const std::vector<MapBatch>& batches, int compute_units, const Prepared& prepared);
+std::string explain_paths(int triangles, const std::vector<MapBatch>& batches, int compute_units, const Prepared& prepared,
+                          int kind = PENCIL_MAP_OCTAHEDRAL);
 
 }  // namespace pencil

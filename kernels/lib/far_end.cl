@@ -2,7 +2,7 @@
 // that show it, exact at silhouettes: light of one surface is not spread over another, whose lines are rarer or more frequent.
 
 #include "lib/footprint.cl"
-#include "lib/octahedral.cl"
+#include "lib/map.cl"
 #include "lib/projection.cl"
 #include "lib/surfel_packet.cl"
 #include "lib/triangle.cl"
@@ -14,7 +14,7 @@ static inline int met_triangle(const VisibilityMap *map, int tile, int2 corner, 
     int nearest = -1;
     float most = 0.0f;
     for (int k = 0; k < 4; ++k) {
-        int index = map->hits[oct_atlas_index(tile, oct_fold_texel(corner + (int2)(k & 1, k >> 1), map->n), map->n)].triangle;
+        int index = map->hits[map_atlas_index(tile, map_footprint_texel(corner, k, map->n), map->n)].triangle;
         if (index < 0 || index == nearest) continue;
         float4 plane = map->planes[map->triangles[index].plane];
         float ahead = plane_ahead(plane, cop);
@@ -40,9 +40,9 @@ static inline float4 mixed_far_end(const VisibilityMap *map, global const float4
     float4 sum = (float4)(0.0f), nearest = sum;
     float total = 0.0f, most = -1.0f;
     for (int k = 0; k < 4; ++k) {
-        int2 texel = oct_fold_texel(corner + (int2)(k & 1, k >> 1), map->n);
-        int triangle = map->hits[oct_atlas_index(tile, texel, map->n)].triangle;
-        float4 light = radiance[oct_atlas_index(tile, oct_antipode(texel, map->n), map->n)];
+        int2 texel = map_footprint_texel(corner, k, map->n);
+        int triangle = map->hits[map_atlas_index(tile, texel, map->n)].triangle;
+        float4 light = radiance[map_atlas_index(tile, map_antipode(texel, map->n), map->n)];
         float weight = (k & 1 ? fx : 1.0f - fx) * (k >> 1 ? fy : 1.0f - fy);
         if (weight > most) {
             most = weight;
@@ -60,7 +60,7 @@ static inline float4 mixed_far_end(const VisibilityMap *map, global const float4
 /// footprint of the direction away from the surfel, `direction`, in the same tile.
 static inline float4 far_end(const VisibilityMap *map, global const float4 *radiance, int tile, const Footprint *aimed,
                              const Footprint *back, int l, float4 cop, float4 direction) {
-    int2 cell = map->cells[LANE_INT(back->index, l) + tile * PENCIL_TILE_TEXELS(map->n)];
+    int2 cell = map->cells[LANE_INT(back->index, l) + tile * MAP_STORED(map->n)];
     if (cell.x != cell.y || cell.x < 0)
         return mixed_far_end(map, radiance, tile, footprint_corner(back, l), LANE_FLOAT(back->fx, l), LANE_FLOAT(back->fy, l), cop,
                              direction);
@@ -73,7 +73,7 @@ static inline float4 far_end(const VisibilityMap *map, global const float4 *radi
 /// far_end of those of `lanes` that see the centre of a tile that they are aimed at.
 static inline void far_ends(const SurfelPacket *s, const VisibilityMap *map, global const float4 *radiance, int tile,
                             const Footprint *aimed, float4 cop, int lanes, float4 *light) {
-    Footprint back = packet_footprint(cop.x - s->x, cop.y - s->y, cop.z - s->z, map->n);
+    Footprint back = map_footprint(cop.x - s->x, cop.y - s->y, cop.z - s->z, map->n);
     for (; lanes; lanes &= lanes - 1) {
         int l = LOWEST_LANE(lanes);
         light[l] = far_end(map, radiance, tile, aimed, &back, l, cop, cop - surfel_position(s, l));

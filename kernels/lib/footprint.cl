@@ -1,4 +1,4 @@
-// The 2x2 bilinear footprint of packets of directions in an octahedral tile.
+// The 2x2 bilinear footprint of packets of directions: the octahedral map. Those of other maps stand in their files.
 
 #include "lib/packet.cl"
 #include "shared/atlas.h"

@@ -18,6 +18,16 @@ static inline int2 oct_fold_texel(int2 texel, int n) {
     return texel;
 }
 
+/// The same of texel + step.
+static inline int2 oct_texel_beside(int2 texel, int2 step, int n) { return oct_fold_texel(texel + step, n); }
+
+/// Texel `x` of row `row`.
+static inline int2 oct_texel_of_row(int x, int row, int n) { return (int2)(x, row); }
+
+/// True if a texel lies in the tile with all that are next to it; if a footprint may start there: not in the last gutter column or row.
+static inline bool oct_is_inner(int2 texel, int n) { return min(texel.x, texel.y) > 0 && max(texel.x, texel.y) < n - 1; }
+static inline bool oct_starts_footprint(int2 texel, int n) { return texel.x < n && texel.y < n; }
+
 /// Direction of unit L1 norm through the centre of a texel.
 static inline float4 oct_texel_direction(int2 texel, int n) {
     return oct_to_direction((2 * texel.x + 1) / (float)n - 1.0f, (2 * texel.y + 1) / (float)n - 1.0f);
@@ -32,6 +42,13 @@ static inline int2 oct_antipode(int2 texel, int n) {
     int ax = half_n - 1 - ky;
     int ay = half_n - 1 - kx;
     return (int2)(texel.x >= half_n ? half_n - 1 - ax : half_n + ax, texel.y >= half_n ? half_n - 1 - ay : half_n + ay);
+}
+
+/// Solid angle of a texel from its direction of unit L1 norm: du dv / |d|^3 (Jacobian of the octahedral map), texel area (2/n)^2.
+static inline float oct_texel_solid_angle(int2 texel, int n) {
+    float4 direction = oct_texel_direction(texel, n);
+    float inverse = rsqrt(dot(direction.xyz, direction.xyz));
+    return 4.0f / ((float)n * n) * inverse * inverse * inverse;
 }
 
 /// Orders of texels, so that packets of 8 or 16, and blocks of packets, see neighbouring things [texels].
@@ -53,21 +70,6 @@ static inline int2 oct_surfel_texel(int i, int n) {
 static inline int2 oct_block_texel(int i, int n) {
     int block = i / (RAY_BLOCK * RAY_BLOCK), lane = i % (RAY_BLOCK * RAY_BLOCK);
     return RAY_BLOCK * (int2)(block % (n / RAY_BLOCK), block / (n / RAY_BLOCK)) + (int2)(lane % RAY_BLOCK, lane / RAY_BLOCK);
-}
-
-/// The 4 x 4 texels about a 2 x 2 footprint, row by row.
-#define AROUND_WIDTH 4
-#define AROUND_TEXELS (AROUND_WIDTH * AROUND_WIDTH)
-
-/// Texel k of those about the footprint with first texel `corner` (-1: gutter), folded into the tile.
-static inline int2 oct_texel_around(int2 corner, int k, int n) {
-    return oct_fold_texel(corner + (int2)(k % AROUND_WIDTH, k / AROUND_WIDTH) - 1, n);
-}
-
-/// True if texel k of those about a footprint is one of its own.
-static inline bool texel_is_inner(int k) {
-    int x = k % AROUND_WIDTH, y = k / AROUND_WIDTH;
-    return (x == 1 || x == 2) && (y == 1 || y == 2);
 }
 
 /// Index of a texel (or of a gutter texel, coordinates -1 and n) in the atlas buffer.

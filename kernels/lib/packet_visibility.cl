@@ -5,6 +5,7 @@
 
 #include "lib/bvh.cl"
 #include "lib/footprint.cl"
+#include "lib/map.cl"
 #include "lib/packet.cl"
 #include "lib/rays.cl"
 #include "lib/shadow.cl"
@@ -30,8 +31,7 @@ typedef struct Aimed {
 /// Footprints in `tile` of the directions v. Neighbouring lanes mostly share the cache line of their cells.
 static inline void aim_packet(const VisibilityMap *map, int tile, vfloat vx, vfloat vy, vfloat vz, Aimed *aimed) {
     if (PENCIL_BVH) return;
-    aimed->f = packet_footprint(vx, vy, vz, map->n);
-    aimed->f.index += tile * PENCIL_TILE_TEXELS(map->n);
+    aimed->f = map_footprint_in(tile, vx, vy, vz, map->n);
 #pragma unroll
     for (int l = 0; l < PENCIL_WIDTH; l += 2) PREFETCH(map->cells + LANE_INT(aimed->f.index, l));
 }

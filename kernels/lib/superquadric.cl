@@ -2,10 +2,10 @@
 //   d = |(vx, vy, vz)|_p, eq. (4.5)          a superquadric paraboloid (PENCIL_SUPERQUADRIC_CONE 0); p = 2 is the paraboloid map
 //   d = |(vx, vy)|_p, eqs (4.9) to (4.11)    a superquadric cone (PENCIL_SUPERQUADRIC_CONE 1); p = INFINITY is the pyramid map, and p = 1
 //                                            is one half of the octahedral map
-// Tile 0 is the hemisphere z >= 0, tile 1 the other; a hemisphere fills |(u, v)|_p <= 1.
+// Panel 0 is the hemisphere z >= 0, panel 1 the other; a hemisphere fills |(u, v)|_p <= 1.
 
 #include "lib/footprint.cl"
-#include "lib/map_tiles.cl"
+#include "lib/panels.cl"
 #include "lib/packet.cl"
 
 #if !defined(PENCIL_SUPERQUADRIC_EXPONENT) || !defined(PENCIL_SUPERQUADRIC_CONE)
@@ -51,19 +51,19 @@ static inline float superquadric_height_inside(float r) {
 }
 
 /// Direction through (u, v). Beyond |(u, v)|_p = 1 the base is continued by its point reflection about the rim: into the other hemisphere.
-static inline float4 superquadric_to_direction(float u, float v, int tile) {
+static inline float4 superquadric_to_direction(float u, float v, int panel) {
     float r = superquadric_norm(fabs(u), fabs(v));
     float z = r <= 1.0f ? superquadric_height_inside(r) : -superquadric_height_inside(fmax(2.0f - r, 0.0f));
-    return (float4)(u, v, tile ? -z : z, 0.0f);
+    return (float4)(u, v, panel ? -z : z, 0.0f);
 }
 
 /// Texels beyond the rim continue the map: they hold what lies across the seam. Its two sides meet up to interpolation error.
-static inline float4 superquadric_stored_direction(int2 texel, int tile, int n) {
-    return superquadric_to_direction(tile_coordinate(texel.x, n), tile_coordinate(texel.y, n), tile);
+static inline float4 superquadric_stored_direction(int2 texel, int panel, int n) {
+    return superquadric_to_direction(panel_coordinate(texel.x, n), panel_coordinate(texel.y, n), panel);
 }
 
 /// g / |d|^3 with d the direction of superquadric_to_direction; g = z - r dz/dr is 1 for cones (Euler's theorem).
-static inline float superquadric_solid_angle_density(float u, float v, int tile) {
+static inline float superquadric_solid_angle_density(float u, float v, int panel) {
     float r = superquadric_norm(fabs(u), fabs(v));
     if (r > 1.0f) return 0.0f;
     float z = superquadric_height_inside(r), g = 1.0f, length2 = u * u + v * v + z * z;
@@ -80,5 +80,5 @@ static inline Footprint superquadric_footprint(vfloat vx, vfloat vy, vfloat vz, 
     vfloat d = packet_superquadric_norm(fabs(vx), fabs(vy));
     if (!PENCIL_SUPERQUADRIC_CONE) d = packet_superquadric_norm(d, fabs(vz));
     vfloat scale = 1.0f / fmax(fabs(vz) + d, (vfloat)(FOOTPRINT_TINY));
-    return tile_footprint(vx * scale, vy * scale, dual_tile(vz), n);
+    return panel_footprint(vx * scale, vy * scale, dual_panel(vz), n);
 }

@@ -7,7 +7,7 @@
 //   2. a texel that shows the plane of x itself shows x;
 //   3. otherwise x is hidden if texels of more than half the bilinear weight hide it (hiding_weight).
 
-#include "lib/octahedral.cl"
+#include "lib/map.cl"
 #include "lib/surfaces.cl"
 #include "lib/triangle.cl"
 #include "shared/bvh.h"
@@ -46,13 +46,13 @@ static inline float hiding_weight(const VisibilityMap *map, int tile, int2 corne
     float own_side = plane_ahead(own_plane, cop) > 0.0f ? 1.0f : -1.0f;
     float hidden = 0.0f;
     for (int k = 0; k < 4; ++k) {
-        int2 texel = oct_fold_texel(corner + (int2)(k & 1, k >> 1), map->n);
-        Hit hit = map->hits[oct_atlas_index(tile, texel, map->n)];
+        int2 texel = map_footprint_texel(corner, k, map->n);
+        Hit hit = map->hits[map_atlas_index(tile, texel, map->n)];
         if (hit.triangle < 0) continue;
         float4 plane = map->planes[map->triangles[hit.triangle].plane];
         float x_ahead = plane_ahead(plane, x);
         if (plane_ahead(plane, cop) * x_ahead >= 0.0f || fabs(x_ahead) < PLANE_TOLERANCE) continue;
-        float4 seen = cop + oct_texel_direction(texel, map->n) / hit.disparity;
+        float4 seen = cop + map_texel_direction(texel, map->n) / hit.disparity;
         if (plane_ahead(own_plane, seen) * own_side > PLANE_TOLERANCE) hidden += (k & 1 ? fx : 1.0f - fx) * (k >> 1 ? fy : 1.0f - fy);
     }
     return hidden;
@@ -64,8 +64,8 @@ static inline bool crowded_footprint_visible(const VisibilityMap *map, int tile,
                                              int own) {
     bool shown = false;
     for (int k = 0; k < AROUND_TEXELS; ++k) {
-        int2 texel = oct_texel_around(corner, k, map->n);
-        int triangle = map->hits[oct_atlas_index(tile, texel, map->n)].triangle;
+        int2 texel = map_texel_around(corner, k, map->n);
+        int triangle = map->hits[map_atlas_index(tile, texel, map->n)].triangle;
         if (triangle < 0) continue;
         if (map->triangles[triangle].plane == own)
             shown = shown || texel_is_inner(k);

@@ -3,6 +3,7 @@
 #include "lib/cells.cl"
 #include "lib/far_end.cl"
 #include "lib/footprint.cl"
+#include "lib/map.cl"
 #include "lib/projection.cl"
 #include "lib/surfel_rays.cl"
 #include "shared/weights.h"

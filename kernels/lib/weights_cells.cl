@@ -5,6 +5,7 @@
 #include "lib/cells.cl"
 #include "lib/far_end.cl"
 #include "lib/footprint.cl"
+#include "lib/map.cl"
 #include "lib/packet.cl"
 #include "lib/packet_visibility.cl"
 #include "lib/projection.cl"
@@ -109,8 +110,7 @@ static inline void add_chunk(const SurfelPacket *packets, const VisibilityMap *m
             lanes[p] = PACKET_BITS(PACKET_MASK(count > 0));
             if (!lanes[p]) continue;
             aimed[p].weight = PACKET_TO_FLOAT(count);
-            aimed[p].f = packet_footprint(packets[p].x - cop.x, packets[p].y - cop.y, packets[p].z - cop.z, map->n);
-            aimed[p].f.index += i * PENCIL_TILE_TEXELS(map->n);
+            aimed[p].f = map_footprint_in(i, packets[p].x - cop.x, packets[p].y - cop.y, packets[p].z - cop.z, map->n);
             prefetch_radiance(aimed + p, pencils->radiance, map->n);
         }
         if (PENCIL_WEIGHTS == PENCIL_WEIGHTS_POWER)

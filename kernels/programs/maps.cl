@@ -3,4 +3,4 @@
 #include "fold_hits.cl"
 #include "rasterize_clusters.cl"
 #include "rasterize_octahedral.cl"
-#include "trace_octahedral.cl"
+#include "trace_maps.cl"

@@ -1,11 +1,13 @@
-// Octahedral tiles lie one after the other in one buffer. A tile of SIZE x SIZE texels is stored with a gutter of one texel on every side,
-// filled by folding, so that bilinear look-ups never leave it:
+// The maps of pencils, tiles, lie one after the other in one buffer. An octahedral tile of SIZE x SIZE texels is stored with a gutter of one
+// texel on every side, filled by folding, so that bilinear look-ups never leave it:
 //   texel (x, y) of tile t, 0 <= x, y < SIZE  ->  t * STRIDE^2 + (y + 1) * STRIDE + (x + 1),   STRIDE = SIZE + 2
+// Tiles of other kinds (shared/map_kind.h) are columns of PANELS such squares, each with its gutter:
+//   texel (x, y) of panel p  =  texel (x, p * STRIDE + y) of tile t  ->  t * PANELS * STRIDE^2 + (p * STRIDE + y + 1) * STRIDE + (x + 1)
 #pragma once
 
 #define PENCIL_GUTTER 1
 #define PENCIL_TILE_STRIDE(size) ((size) + 2 * PENCIL_GUTTER)
-#define PENCIL_TILE_TEXELS(size) (PENCIL_TILE_STRIDE(size) * PENCIL_TILE_STRIDE(size))
+#define PENCIL_TILE_TEXELS(size) (PENCIL_TILE_STRIDE(size) * PENCIL_TILE_STRIDE(size))  // of one square
 
 // Cells: what a 2x2 footprint tells of the visibility of surfels seen through it.
 //   (a, a)              plane a fills it; -1: it shows nothing

@@ -11,7 +11,7 @@
 #include "util/stopwatch.h"
 #include "visibility/rasterize_clusters.h"
 #include "visibility/rasterize_octahedral.h"
-#include "visibility/trace_octahedral.h"
+#include "visibility/trace_maps.h"
 
 namespace pencil::bench {
 namespace {
@@ -25,7 +25,7 @@ struct Path {
 };
 const Path paths[] = {{"rasterize", "rasterize octahedral maps", rasterize_octahedral},
                       {"clusters", "rasterize clusters", rasterize_clusters},
-                      {"trace", "trace octahedral maps", trace_octahedral}};
+                      {"trace", "trace geometry maps", trace_maps}};
 
 /// A scene in device memory with all that the paths need.
 struct Subject {

@@ -3,7 +3,7 @@
 #include "kernels/map_comparison.h"
 #include "visibility/geometry_maps.h"
 #include "visibility/rasterize_clusters.h"
-#include "visibility/trace_octahedral.h"
+#include "visibility/trace_maps.h"
 
 namespace {
 
@@ -21,7 +21,7 @@ void PrintTo(const Path& path, std::ostream* out) { *out << path.name; }
 class VisibilityPaths : public testing::TestWithParam<Path> {};
 INSTANTIATE_TEST_SUITE_P(Of, VisibilityPaths,
                          testing::Values(Path{"Rasterize", rasterize_octahedral}, Path{"Clusters", rasterize_clusters},
-                                         Path{"Trace", trace_octahedral}),
+                                         Path{"Trace", trace_maps}),
                          [](const auto& path) { return path.param.name; });
 
 DeviceScene prepared_scene(const TestScene& scene) {
@@ -154,11 +154,11 @@ TEST(GeometryMaps, AreMadeByWhatIsPrepared) {
         const auto found = times.find(name);
         return found == times.end() ? 0 : found->second.launches;
     };
-    const int drawn = launches("rasterize octahedral maps"), traced = launches("trace octahedral maps");
+    const int drawn = launches("rasterize octahedral maps"), traced = launches("trace geometry maps");
     const std::vector<Hit> by_drawing = made(make_geometry_maps, kernels, plain, centres, 8);
     EXPECT_EQ(launches("rasterize octahedral maps"), drawn + 1);
     const std::vector<Hit> by_rays = made(make_geometry_maps, kernels, prepared, centres, 8);
-    EXPECT_EQ(launches("trace octahedral maps"), traced + 1);
+    EXPECT_EQ(launches("trace geometry maps"), traced + 1);
     std::size_t different = 0;
     for (std::size_t i = 0; i < by_rays.size(); ++i) different += by_rays[i].triangle != by_drawing[i].triangle ? 1 : 0;
     EXPECT_LE(static_cast<double>(different), 2 + 1e-3 * static_cast<double>(by_rays.size()));

@@ -3,7 +3,7 @@
 
 #include "lib/cube.cl"
 #include "lib/footprint.cl"
-#include "lib/map_tiles.cl"
+#include "lib/panels.cl"
 #include "lib/octahedral.cl"
 #include "lib/packet.cl"
 #include "lib/paraboloid.cl"

@@ -36,13 +36,6 @@ std::vector<std::size_t> choose_by_weight(const std::vector<double>& weights, in
     return order;
 }
 
-/// Distance of the octahedron |x| + |y| + |z| = 1 from its centre through the middle of a texel.
-double octahedron_radius(int column, int row, int n) {
-    const double u = std::abs((2.0 * column + 1.0) / n - 1.0), v = std::abs((2.0 * row + 1.0) / n - 1.0), z = 1.0 - u - v;
-    const glm::dvec3 point = z >= 0 ? glm::dvec3(u, v, z) : glm::dvec3(1.0 - v, 1.0 - u, z);
-    return glm::length(point);
-}
-
 }  // namespace
 
 std::vector<double> visible_area(const FlatScene& flat, const GeometryMaps& maps) {
@@ -52,19 +45,20 @@ std::vector<double> visible_area(const FlatScene& flat, const GeometryMaps& maps
     std::vector<double> areas;
     for (int tile = 0; tile < maps.count; ++tile) {
         double sum = 0, all = 0;
-        for (int k = 0; k < n * n; ++k) {
-            const double length = octahedron_radius(k % n, k / n, n), solid_angle = 1.0 / (length * length * length);
-            all += solid_angle;
-            const Hit& hit = hits[static_cast<std::size_t>(tile) * static_cast<std::size_t>(PENCIL_TILE_TEXELS(n)) +
-                                  static_cast<std::size_t>((k / n + 1) * stride + k % n + 1)];
+        for (int k = 0; k < maps.texels(); ++k) {
+            const int column = k % n, row = k / n, gutters = 2 * PENCIL_GUTTER * (row / n) + PENCIL_GUTTER;
+            const TexelView view = texel_view(maps.shape, column, row);
+            all += view.solid_angle;
+            const Hit& hit = hits[static_cast<std::size_t>(tile) * static_cast<std::size_t>(maps.stored()) +
+                                  static_cast<std::size_t>((row + gutters) * stride + column + PENCIL_GUTTER)];
             if (hit.triangle < 0) continue;
             const Triangle& t = flat.triangles[static_cast<std::size_t>(hit.triangle)];
             const float4 plane = flat.planes[static_cast<std::size_t>(t.plane)];
             const glm::vec4 albedo = flat.materials[static_cast<std::size_t>(t.material)].albedo;
             const bool front = glm::dot(glm::vec3(plane), glm::vec3(centres[static_cast<std::size_t>(tile)])) > plane.w;
             const bool reflects = luminance(glm::dvec3(albedo)) > 0 && (front || albedo.w != 0.0F);
-            const double distance = length / static_cast<double>(hit.disparity);
-            if (reflects) sum += solid_angle * distance * distance;
+            const double distance = glm::length(view.direction) / static_cast<double>(hit.disparity);
+            if (reflects) sum += view.solid_angle * distance * distance;
         }
         areas.push_back(sum / all);
     }
@@ -75,7 +69,7 @@ std::vector<float4> ProfileCandidates::place(const CandidateQuery& query) {
     const int points = points_per_candidate * query.count;
     const std::vector<float4> centres =
         place_pencils(scene_.flat, Sequence::low_discrepancy, points_per_candidate * query.first, points, query.set, scene_.seed);
-    auto maps = std::make_shared<GeometryMaps>(scene_.kernels.device(), centres, profile_map, "illumination profile");
+    auto maps = std::make_shared<GeometryMaps>(scene_.kernels.device(), centres, scene_.kernels.map_shape(profile_map), "illumination profile");
     make_geometry_maps(scene_.kernels, scene_.device_scene, *maps, 0, maps->count);
     std::vector<double> weights = visible_area(scene_.flat, *maps);
     normalise(weights);
