@@ -13,6 +13,6 @@ kernel __attribute__((reqd_work_group_size(1, 1, 1))) void rasterize_octahedral(
                                                                                 int first_tile, int tile_count, int n, global Hit *hits) {
     int item = get_global_id(0);
     if (item >= OCTANTS * tile_count) return;
-    Octant octant = clear_octant_of(item, cops, first_tile, n, hits);
-    for (int i = 0; i < triangle_count; ++i) draw_triangle(&octant, triangles, planes, i);
+    Octant octant = octant_begin(item, cops, first_tile, n, hits);
+    for (int i = 0; i < triangle_count; ++i) octant_draw(&octant, triangles, planes, i);
 }

@@ -7,7 +7,7 @@
 
 namespace pencil {
 
-/// As rasterize_octahedral; the scene must have clusters.
+/// As rasterize_octahedral, for every kind of map that has facets; the scene must have clusters.
 void rasterize_clusters(Kernels& kernels, const DeviceScene& scene, GeometryMaps& maps, int first, int count);
 
 }  // namespace pencil

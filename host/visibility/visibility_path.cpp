@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <stdexcept>
 
 namespace pencil {
 
@@ -27,15 +29,26 @@ PathCost cost_of(VisibilityPath path) {
     return {};
 }
 
-/// Whether triangles can be drawn into maps of a kind.
-bool is_drawn(int kind) { return kind == PENCIL_MAP_OCTAHEDRAL; }
-
-bool available(VisibilityPath path, const MapBatch& batch, const Prepared& prepared, int kind) {
+/// Whether a path makes maps of a kind.
+bool knows(VisibilityPath path, int kind) {
     switch (path) {
         case VisibilityPath::rasterize:
-            return is_drawn(kind);
+            return kind == PENCIL_MAP_OCTAHEDRAL;
         case VisibilityPath::clusters:
-            return is_drawn(kind) && prepared.clusters;
+            return PENCIL_MAP_FACETS(kind) > 0;
+        case VisibilityPath::trace:
+            return true;
+    }
+    return false;
+}
+
+bool available(VisibilityPath path, const MapBatch& batch, const Prepared& prepared, int kind) {
+    if (!knows(path, kind)) return false;
+    switch (path) {
+        case VisibilityPath::rasterize:
+            return true;
+        case VisibilityPath::clusters:
+            return prepared.clusters;
         case VisibilityPath::trace:
             return prepared.bvh && MapShape(kind, batch.size).n % 4 == 0;
     }
@@ -61,14 +74,19 @@ std::string seconds_text(double seconds) {
     return text;
 }
 
+/// Whether some path makes a batch.
+bool possible(const MapBatch& batch, const Prepared& prepared, int kind) {
+    return std::any_of(visibility_paths.begin(), visibility_paths.end(),
+                       [&](VisibilityPath path) { return available(path, batch, prepared, kind); });
+}
+
 /// Infinite if some batch cannot be made.
 double total_seconds(int triangles, const std::vector<MapBatch>& batches, int compute_units, const Prepared& prepared, int kind) {
     double sum = prepared.clusters ? preparation_seconds(VisibilityPath::clusters, triangles) : 0.0;
     if (prepared.bvh) sum += preparation_seconds(VisibilityPath::trace, triangles);
     for (const MapBatch& batch : batches) {
-        const VisibilityPath path = choose_path(triangles, batch, compute_units, prepared, kind);
-        if (!available(path, batch, prepared, kind)) return std::numeric_limits<double>::infinity();
-        sum += maps_seconds(path, triangles, batch, compute_units);
+        if (!possible(batch, prepared, kind)) return std::numeric_limits<double>::infinity();
+        sum += maps_seconds(choose_path(triangles, batch, compute_units, prepared, kind), triangles, batch, compute_units);
     }
     return sum;
 }
@@ -104,6 +122,7 @@ VisibilityPath choose_path(int triangles, const MapBatch& batch, int compute_uni
         best = path;
         least = seconds;
     }
+    if (!std::isfinite(least)) throw std::logic_error("no way to make these geometry maps has been prepared");
     return best;
 }
 
@@ -126,7 +145,7 @@ std::string explain_paths(int triangles, const std::vector<MapBatch>& batches, i
                             words(choose_path(triangles, batch, compute_units, prepared, kind)));
         const char* separator = " ";
         for (const VisibilityPath path : visibility_paths) {
-            if (path != VisibilityPath::trace && !is_drawn(kind)) continue;
+            if (!knows(path, kind)) continue;
             text += separator + (words(path) + (" " + seconds_text(maps_seconds(path, triangles, batch, compute_units))));
             separator = ", ";
         }

@@ -33,8 +33,8 @@ double preparation_seconds(VisibilityPath path, int triangles);
 /// factor of 1.25. They are those of two cores with AVX-512; other CPUs are slower or faster by about the same factor for all three.
 double maps_seconds(VisibilityPath path, int triangles, const MapBatch& batch, int compute_units);
 
-/// The fastest path of those that are prepared and can make maps of `kind` (shared/map_kind.h): others than octahedral ones are traced. Rays
-/// need a map size that is a multiple of 4.
+/// The fastest path of those that are prepared and make maps of `kind` (shared/map_kind.h): single triangles are drawn into octahedral maps
+/// alone, clusters into all that have facets. Rays need a map size that is a multiple of 4.
 VisibilityPath choose_path(int triangles, const MapBatch& batch, int compute_units, const Prepared& prepared,
                            int kind = PENCIL_MAP_OCTAHEDRAL);
 

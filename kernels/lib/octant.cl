@@ -4,12 +4,8 @@
 #include "lib/raster.cl"
 #include "lib/triangle.cl"
 #include "shared/atlas.h"
+#include "shared/cluster.h"
 #include "shared/geometry.h"
-
-/// Slack of the bounding box [texels], and the L1 distance below which the box of a clipped triangle is not trusted and its whole octant
-/// is searched instead.
-#define BOX_SLACK 1e-2f
-#define BOX_TRUSTED_DISTANCE 1e-2f
 
 /// Octants of a tile: a work-item each.
 #define OCTANTS 8
@@ -107,7 +103,7 @@ typedef struct Octant {
 } Octant;
 
 /// Octant `item` % OCTANTS of tile `item` / OCTANTS behind first_tile, cleared.
-static inline Octant clear_octant_of(int item, global const float4 *cops, int first_tile, int n, global Hit *hits) {
+static inline Octant octant_begin(int item, global const float4 *cops, int first_tile, int n, global Hit *hits) {
     int octant = item % OCTANTS, index = first_tile + item / OCTANTS;
     Octant o;
     o.s = (float3)(octant & 1 ? -1.0f : 1.0f, octant & 2 ? -1.0f : 1.0f, octant & 4 ? -1.0f : 1.0f);
@@ -120,7 +116,7 @@ static inline Octant clear_octant_of(int item, global const float4 *cops, int fi
 }
 
 /// Draws triangle i.
-static inline void draw_triangle(const Octant *o, global const Triangle *triangles, global const float4 *planes, int i) {
+static inline void octant_draw(const Octant *o, global const Triangle *triangles, global const float4 *planes, int i) {
     global const Triangle *triangle = triangles + i;
     float4 s = (float4)(o->s, 0.0f), cop = o->cop;
     float4 p0 = triangle->v0 - cop, p1 = triangle->v1 - cop, p2 = triangle->v2 - cop;
@@ -132,4 +128,38 @@ static inline void draw_triangle(const Octant *o, global const Triangle *triangl
     float4 bounds = octant_bounds(p0 * s, p1 * s, p2 * s);
     if (bounds.x > bounds.z) return;
     raster_octant(raster_setup(p0, p1, p2, plane, ahead, o->frame), bounds, o->s, i, o->n, o->tile);
+}
+
+/// True if a texel of rings ku, kv (ranges) of the octant shows nothing nearer than `disparity`.
+static inline bool octant_shows(const Octant *o, int2 ku, int2 kv, float disparity) {
+    int half_n = o->n / 2;
+    for (int k = kv.x; k <= kv.y; ++k) {
+        int k0 = o->s.z > 0.0f ? ku.x : max(ku.x, half_n - k);
+        int k1 = o->s.z > 0.0f ? min(ku.y, half_n - 1 - k) : ku.y;
+        int y = o->s.y > 0.0f ? half_n + k : half_n - 1 - k;
+        int first = o->s.x > 0.0f ? half_n + k0 : half_n - 1 - k1;
+        global const Hit *row = o->tile + oct_atlas_index(0, (int2)(first, y), o->n);
+        for (int x = 0; x <= k1 - k0; ++x)
+            if (row[x].disparity <= disparity) return true;
+    }
+    return false;
+}
+
+/// False if the part of the box in the octant holds no texel's centre, or lies behind all that those texels show.
+static inline bool octant_matters(const Octant *o, global const Cluster *cluster) {
+    float4 s = (float4)(o->s, 0.0f);
+    float4 a = (cluster->low - o->cop) * s, b = (cluster->high - o->cop) * s;
+    float4 high = fmax(a, b);
+    if (high.x < 0.0f || high.y < 0.0f || high.z < 0.0f) return false;
+    float4 low = fmax(fmin(a, b), 0.0f);
+    float distance = low.x + low.y + low.z;
+    if (distance < BOX_TRUSTED_DISTANCE) return true;
+    // |x| / W grows with |x| and falls with |y| and |z|: its bounds over a box are at corners.
+    float4 uv = (float4)(low.x / (low.x + high.y + high.z), low.y / (high.x + low.y + high.z), high.x / (high.x + low.y + low.z),
+                         high.y / (low.x + high.y + low.z));
+    if (o->s.z < 0.0f) uv = 1.0f - uv.wzyx;
+    int half_n = o->n / 2;
+    int2 ku = raster_range(uv.x * half_n, uv.z * half_n, BOX_SLACK, half_n - 1);
+    int2 kv = raster_range(uv.y * half_n, uv.w * half_n, BOX_SLACK, half_n - 1);
+    return octant_shows(o, ku, kv, (1.0f + DISPARITY_SLACK) / distance);
 }

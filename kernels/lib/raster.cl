@@ -1,5 +1,5 @@
-// Core of the triangle rasteriser. In each octant of the octahedral map, and on the film, the direction is affine in the texel
-// coordinates (thesis eq. (4.14), table 4.2), hence so are the three edge functions of a triangle and its disparity: no clipping
+// Core of the triangle rasteriser. In each facet of a map, and on the film, the direction is affine in the texel
+// coordinates (thesis eq. (4.14), tables 4.1 and 4.2), hence so are the three edge functions of a triangle and its disparity: no clipping
 // decides coverage, only signs at texel centres.
 
 #include "lib/packet.cl"
@@ -15,6 +15,16 @@ typedef struct RasterTriangle {
 typedef struct RasterFrame {
     float4 origin, du, dv;
 } RasterFrame;
+
+/// A facet of a map with several panels, where the projection is linear: a point p has the coordinates (dot(u, p), dot(v, p)) / dot(depth, p) in
+/// `panel`, and lies dot(depth, p) times as far as the end of the direction that `frame` gives them.
+#define FACET_SIDES 4
+typedef struct FacetShape {
+    int panel;
+    RasterFrame frame;
+    float4 depth, u, v;
+    float4 sides[FACET_SIDES];  // normals, inwards, of the planes through the centre that bound the facet
+} FacetShape;
 
 /// Composes edge functions and disparity with the frame. `ahead` is plane_ahead of the centre of projection, not within rounding of 0.
 /// Seen from the back a triangle's edge functions turn their sign, as `ahead` does.
@@ -58,6 +68,14 @@ static inline void raster_row(const RasterTriangle *t, int triangle, float u0, f
             }
     }
 }
+
+/// Relative slack of a cluster's disparity: its triangles' disparities are rounded.
+#define DISPARITY_SLACK 1e-5f
+
+/// Slack of the bounding box of a triangle or cluster [texels], and the distance, in terms of a map's own directions, below which the box is not
+/// trusted and its whole facet is searched instead.
+#define BOX_SLACK 1e-2f
+#define BOX_TRUSTED_DISTANCE 1e-2f
 
 /// Texels whose centres lie in [low, high], both measured in texels from the first texel's lower border; widened by `slack` texels
 /// because it only bounds the search: the edge functions decide.

@@ -8,3 +8,6 @@
 
 /// Squares of a map. They lie one below the other in its tile (shared/atlas.h).
 #define PENCIL_MAP_PANELS(kind) ((kind) == PENCIL_MAP_OCTAHEDRAL ? 1 : (kind) == PENCIL_MAP_CUBE ? 6 : 2)
+
+/// Its facets: parts in which directions are affine in texel coordinates, so that triangles can be drawn into them.
+#define PENCIL_MAP_FACETS(kind) ((kind) == PENCIL_MAP_PARABOLOID ? 0 : (kind) == PENCIL_MAP_CUBE ? 6 : 8)

@@ -13,32 +13,34 @@ struct Comparison {
     std::string first_wrong;
 };
 
-/// Adds the texels of one tile to `out`.
-inline void compare_tile(const TestScene& scene, const dvec3& centre, const std::vector<Hit>& hits, int tile, int n, Comparison& out) {
-    for (int y = 0; y < n; ++y) {
-        for (int x = 0; x < n; ++x) {
-            const Hit hit = hits[atlas_index(tile, x, y, n)];
-            const dvec3 direction = ref::texel_direction(x, y, n);
-            const ref::RayHit truth = ref::nearest_triangle(scene.triangles, centre, direction);
-            ++out.texels;
-            std::string message;
-            if (hit.triangle != truth.triangle) {
-                ++out.ties;
-                if (!ref::is_plausible(scene.triangles, centre, direction, hit.triangle)) message = "not a tie";
-            }
-            if (hit.triangle >= 0) {
-                const ref::Crossing c = ref::cross_triangle(centre, direction, scene.triangles[static_cast<std::size_t>(hit.triangle)]);
-                if (!(std::abs(hit.disparity * c.t - 1.0) <= tolerance::depth_tie * c.slant))
-                    message = "disparity, expected " + std::to_string(1.0 / c.t);
-            } else if (hit.disparity != 0.0F) {
-                message = "nothing is met, but the disparity is not 0";
-            }
-            if (message.empty() || out.wrong++ > 0) continue;
-            out.first_wrong = "tile " + std::to_string(tile) + " texel " + std::to_string(x) + " " + std::to_string(y) + ": triangle " +
-                              std::to_string(hit.triangle) + " instead of " + std::to_string(truth.triangle) + ", disparity " +
-                              std::to_string(hit.disparity) + ", margin " + std::to_string(truth.margin) + ": " + message;
-        }
+/// Adds a texel that looks along `direction` to `out`; `where` names it.
+inline void compare_texel(const TestScene& scene, const dvec3& centre, const dvec3& direction, const Hit& hit, const std::string& where,
+                          Comparison& out) {
+    const ref::RayHit truth = ref::nearest_triangle(scene.triangles, centre, direction);
+    ++out.texels;
+    std::string message;
+    if (hit.triangle != truth.triangle) {
+        ++out.ties;
+        if (!ref::is_plausible(scene.triangles, centre, direction, hit.triangle)) message = "not a tie";
     }
+    if (hit.triangle >= 0) {
+        const ref::Crossing c = ref::cross_triangle(centre, direction, scene.triangles[static_cast<std::size_t>(hit.triangle)]);
+        if (!(std::abs(hit.disparity * c.t - 1.0) <= tolerance::depth_tie * c.slant))
+            message = "disparity, expected " + std::to_string(1.0 / c.t);
+    } else if (hit.disparity != 0.0F) {
+        message = "nothing is met, but the disparity is not 0";
+    }
+    if (message.empty() || out.wrong++ > 0) return;
+    out.first_wrong = where + ": triangle " + std::to_string(hit.triangle) + " instead of " + std::to_string(truth.triangle) +
+                      ", disparity " + std::to_string(hit.disparity) + ", margin " + std::to_string(truth.margin) + ": " + message;
+}
+
+/// Adds the texels of one octahedral tile to `out`.
+inline void compare_tile(const TestScene& scene, const dvec3& centre, const std::vector<Hit>& hits, int tile, int n, Comparison& out) {
+    for (int y = 0; y < n; ++y)
+        for (int x = 0; x < n; ++x)
+            compare_texel(scene, centre, ref::texel_direction(x, y, n), hits[atlas_index(tile, x, y, n)],
+                          "tile " + std::to_string(tile) + " texel " + std::to_string(x) + " " + std::to_string(y), out);
 }
 
 }  // namespace pencil::test

@@ -13,12 +13,12 @@ using namespace pencil;
 using namespace pencil::test;
 
 using Filter1 = double (*)(double);
-struct Case {
+struct FilterCase {
     ReconstructionFilter::Kind kind;
     double radius;
     Filter1 value;
 };
-const std::vector<Case> cases{
+const std::vector<FilterCase> cases{
     {ReconstructionFilter::Kind::box, 0.5, [](double x) { return ref::box_filter(x); }},
     {ReconstructionFilter::Kind::tent, 1.0, [](double x) { return ref::tent_filter(x); }},
     {ReconstructionFilter::Kind::gaussian, 2.0, [](double x) { return ref::gaussian_filter(x); }},
@@ -51,7 +51,7 @@ Pixels random_pixels(Random& random, int count, int samples) {
 }
 
 /// `background`: samples that show nothing show something behind it.
-void check(const Case& c, int width, int height, int samples, bool constant, bool background = false) {
+void check(const FilterCase& c, int width, int height, int samples, bool constant, bool background = false) {
     SCOPED_TRACE("filter " + std::to_string(static_cast<int>(c.kind)) + ", " + std::to_string(width) + " x " + std::to_string(height));
     Random random(130);
     const Pixels pixels = random_pixels(random, width * height, samples);
@@ -102,7 +102,7 @@ void check(const Case& c, int width, int height, int samples, bool constant, boo
 }
 
 TEST(ResolveFilm, EveryFilterAndSize) {
-    for (const Case& c : cases) {
+    for (const FilterCase& c : cases) {
         check(c, 1, 1, 4, false);
         check(c, 7, 5, 4, false);
         check(c, 19, 13, 16, false);
@@ -164,7 +164,7 @@ TEST(ResolveFilm, DrawnSamplesAreTheFilteredImageInTheMean) {
     const Buffer<unsigned char> slots(device(), pixels.slots, "slots"), counts(device(), pixels.counts, "counts");
     const Buffer<int> first(device(), pixels.first, "first");
     const Buffer<float> surfels_of(device(), surfels, "surfels"), background(device(), behind, "background");
-    for (const Case& c : cases) {
+    for (const FilterCase& c : cases) {
         SCOPED_TRACE("filter " + std::to_string(static_cast<int>(c.kind)));
         ReconstructionFilter filter;
         filter.kind = c.kind;

@@ -19,6 +19,9 @@ struct NamedMap {
 
 inline void PrintTo(const NamedMap& named, std::ostream* out) { PrintTo(named.map, out); }
 
+/// Those that renders have, at the places of their numbers in shared/map_kind.h.
+inline std::vector<Map> render_maps() { return {octahedral_map(), pyramid_map(), cube_map(), paraboloid_map()}; }
+
 inline std::vector<NamedMap> comparison_maps() {
     std::vector<NamedMap> maps = {{paraboloid_map(), "paraboloid", ""}, {cube_map(), "cube", ""}, {pyramid_map(), "pyramid", ""}};
     const double no_limit = std::numeric_limits<double>::infinity();
