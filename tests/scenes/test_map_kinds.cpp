@@ -29,13 +29,9 @@ INSTANTIATE_TEST_SUITE_P(Kinds, MapKindRenders,
 
 TEST_P(MapKindRenders, FurnaceIsExact) {
     const double a = 0.8F;
-    for (const auto& [method, weights, iterate] :
-         {std::tuple{MethodName::line, Weights::dpdf, Iterate::sets}, std::tuple{MethodName::line, Weights::voronoi, Iterate::fixed},
-          std::tuple{MethodName::line, Weights::analytic, Iterate::sets}, std::tuple{MethodName::hybrid, Weights::dpdf, Iterate::sets}}) {
+    for (const MethodName method : {MethodName::line, MethodName::hybrid}) {
         RenderOptions o = options(method);
         o.initial = Initial::emission;
-        o.weights = weights;
-        o.iterate = iterate;
         o.bounces = 3;
         const RenderResult result = render_layers(furnace(0.8F), o, {"direct", "bounces"});
         if (method == MethodName::line) expect_uniform(layer(result, "direct"), a, 1e-3);
@@ -50,7 +46,9 @@ double mean(const Layer& image) {
 }
 
 TEST_P(MapKindRenders, NoLightThroughASheet) {
-    // As in test_darkness.cpp: where wall, floor and sheet meet in one point, that point may lie between the texels of a map.
+    // As in test_darkness.cpp: where wall, floor and sheet meet in one point, that point may lie between the texels of a map. Measured over eight
+    // seeds: up to 8e-6 with pyramids, whose creases lie askew to these walls, and once 3e-4 with cubes of 6 x 12 x 12 texels; octahedral maps
+    // have 0 here, and up to 3e-6 in the same rooms turned.
     constexpr double corner_leak = 1e-5;
     for (const Initial initial : {Initial::direct, Initial::emission}) {
         RenderOptions o = options();
@@ -73,18 +71,24 @@ double difference(const Layer& image, const Layer& other) {
     return std::sqrt(sum / static_cast<double>(image.pixels.size())) / mean(other);
 }
 
-TEST_P(MapKindRenders, ARoomIsThatOfOctahedralMaps) {
-    Scene scene = room_of_everything();
+TEST(MapKinds, ARoomIsTheSameWithEveryKind) {
+    const Scene scene = room_of_everything();
     for (const MethodName method : {MethodName::line, MethodName::hybrid}) {
-        RenderOptions o = options(method), octahedral = o;
-        octahedral.map_kind = MapKind::octahedral;
-        o.map = octahedral.map = 64;
-        o.bounces = octahedral.bounces = 3;
-        const RenderResult result = render_layers(scene, o), same = render_layers(scene, octahedral);
-        const double ratio = mean(layer(result, "")) / mean(layer(same, "")), apart = difference(layer(result, ""), layer(same, ""));
-        std::printf("mean %.5f times, differences %.4f of the mean\n", ratio, apart);
-        EXPECT_NEAR(ratio, 1.0, 0.01);
-        EXPECT_LE(apart, 0.03);
+        RenderOptions o = line_options();
+        o.method = method;
+        o.pencils = 24;
+        o.map = 48;
+        o.bounces = 2;
+        const RenderResult octahedral = render_layers(scene, o);
+        for (const MapKind kind : {MapKind::pyramid, MapKind::cube, MapKind::paraboloid}) {
+            o.map_kind = kind;
+            const RenderResult result = render_layers(scene, o);
+            const double ratio = mean(layer(result, "")) / mean(layer(octahedral, "")),
+                         apart = difference(layer(result, ""), layer(octahedral, ""));
+            std::printf("kind %d: mean %.5f times, differences %.4f of the mean\n", static_cast<int>(kind), ratio, apart);
+            EXPECT_NEAR(ratio, 1.0, 0.005);
+            EXPECT_LE(apart, 0.015);
+        }
     }
 }
 
