@@ -35,7 +35,7 @@ struct Features {
     int weights = PENCIL_WEIGHTS_DPDF;  // form of the quadrature weights (shared/weights.h)
     int cell_grid = 0;                  // root of the greatest number of directions that sample cells, 0 for weights that are none
     int map_kind = PENCIL_MAP_OCTAHEDRAL;  // of pencils and light samples (shared/map_kind.h)
-    bool bvh = false;                   // rays through the hierarchy decide visibility, geometry maps do not
+    bool bvh = false;                      // rays through the hierarchy decide visibility, geometry maps do not
 };
 
 /// The part that scene and film decide.

@@ -53,7 +53,8 @@ void GeometryMaps::copy_tile(const GeometryMaps& other, int source, int target) 
 }
 
 PencilSet::PencilSet(const std::shared_ptr<Device>& device, std::shared_ptr<GeometryMaps> geometry)
-    : maps(std::move(geometry)), radiance(device, atlas_texels(static_cast<std::size_t>(maps->count), maps->shape), "pencil radiance maps") {}
+    : maps(std::move(geometry)),
+      radiance(device, atlas_texels(static_cast<std::size_t>(maps->count), maps->shape), "pencil radiance maps") {}
 
 LightSet::LightSet(const std::shared_ptr<Device>& device, const std::vector<LightSample>& light_samples, const MapShape& shape)
     : samples(device, light_samples, "light samples"), maps(device, positions_of(light_samples), shape, "light sample") {

@@ -20,12 +20,12 @@ namespace pencil {
 
 /// What a method needs to have before its first step.
 struct MethodNeeds {
-    std::vector<MapBatch> maps;         // geometry maps that will be made, as far as can be told
-    bool hierarchy = false;             // some kernel follows rays, whatever way the maps are made
-    bool rays_for_visibility = false;   // Features::bvh
-    bool lobes = false;                 // it follows lobes of materials; else they count as even
-    int weights = PENCIL_WEIGHTS_DPDF;  // Features::weights
-    int cell_grid = 0;                  // Features::cell_grid
+    std::vector<MapBatch> maps;            // geometry maps that will be made, as far as can be told
+    bool hierarchy = false;                // some kernel follows rays, whatever way the maps are made
+    bool rays_for_visibility = false;      // Features::bvh
+    bool lobes = false;                    // it follows lobes of materials; else they count as even
+    int weights = PENCIL_WEIGHTS_DPDF;     // Features::weights
+    int cell_grid = 0;                     // Features::cell_grid
     int map_kind = PENCIL_MAP_OCTAHEDRAL;  // Features::map_kind
     std::vector<SureKernel> kernels;    // that every render by it launches, beside those of the film
 };

@@ -28,7 +28,8 @@ std::vector<SureKernel> sure_kernels(const RenderContext& context) {
 Prepared preparation(const FlatScene& flat, const MethodNeeds& needs, const Device& device) {
     Prepared prepared;
     if (!needs.maps.empty())
-        prepared = plan_preparation(static_cast<int>(flat.triangles.size()), needs.maps, static_cast<int>(device.info().compute_units), needs.map_kind);
+        prepared = plan_preparation(static_cast<int>(flat.triangles.size()), needs.maps, static_cast<int>(device.info().compute_units),
+                                    needs.map_kind);
     prepared.bvh = prepared.bvh || needs.hierarchy;
     return prepared;
 }

@@ -19,7 +19,8 @@ std::shared_ptr<GeometryMaps> made_maps(Kernels& kernels, const DeviceScene& sce
 }
 
 std::shared_ptr<GeometryMaps> empty_maps(Kernels& kernels, int count, int n) {
-    return std::make_shared<GeometryMaps>(kernels.device(), std::vector<float4>(static_cast<std::size_t>(count)), kernels.map_shape(n), "pencil");
+    return std::make_shared<GeometryMaps>(kernels.device(), std::vector<float4>(static_cast<std::size_t>(count)), kernels.map_shape(n),
+                                          "pencil");
 }
 
 /// Candidates of the next round, so that as many as are missing are likely to be accepted at the rate seen so far.

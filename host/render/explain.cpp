@@ -29,8 +29,7 @@ std::vector<std::string> explain(const RenderContext& context) {
                                    light_sentence(context)};
     if (!context.needs.maps.empty())
         lines.push_back(explain_paths(context.device_scene.triangle_count, context.needs.maps,
-                                      static_cast<int>(device.info().compute_units), context.prepared,
-                                      context.needs.map_kind));
+                                      static_cast<int>(device.info().compute_units), context.prepared, context.needs.map_kind));
     const Features& features = context.kernels.features();
     const auto left_out = [&](bool needed, const char* what) {
         if (!needed) lines.push_back(std::string("left out: ") + what);

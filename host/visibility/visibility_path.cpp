@@ -76,8 +76,8 @@ std::string seconds_text(double seconds) {
 
 /// Whether some path makes a batch.
 bool possible(const MapBatch& batch, const Prepared& prepared, int kind) {
-    return std::any_of(visibility_paths.begin(), visibility_paths.end(),
-                       [&](VisibilityPath path) { return available(path, batch, prepared, kind); });
+    return std::any_of(
+        visibility_paths.begin(), visibility_paths.end(), [&](VisibilityPath path) { return available(path, batch, prepared, kind); });
 }
 
 /// Infinite if some batch cannot be made.

@@ -5,8 +5,8 @@
 // Panel 0 is the hemisphere z >= 0, panel 1 the other; a hemisphere fills |(u, v)|_p <= 1.
 
 #include "lib/footprint.cl"
-#include "lib/panels.cl"
 #include "lib/packet.cl"
+#include "lib/panels.cl"
 
 #if !defined(PENCIL_SUPERQUADRIC_EXPONENT) || !defined(PENCIL_SUPERQUADRIC_CONE)
 #error PENCIL_SUPERQUADRIC_EXPONENT (1 to INFINITY) and PENCIL_SUPERQUADRIC_CONE (0 or 1) choose the map

@@ -34,6 +34,13 @@ TEST(Bake, WhatIsNoFieldOrCannotBeOneIsRefused) {
     const RunResult both = run_pencil({"render", scene, "-o", image, "--field", text, "--pencils", "9"});
     EXPECT_EQ(both.code, 2);
     EXPECT_NE(both.err.find("--pencils"), std::string::npos) << both.err;
+    const RunResult kind = run_pencil({"render", scene, "-o", image, "--field", text, "--map-kind", "cube"});
+    EXPECT_EQ(kind.code, 2);
+    EXPECT_NE(kind.err.find("--map-kind"), std::string::npos) << kind.err;
+    const RunResult no_maps = run_pencil({"render", scene, "-o", image, "--method", "surface", "--map-kind", "cube"});
+    EXPECT_EQ(no_maps.code, 2);
+    EXPECT_NE(no_maps.err.find("--map-kind: is not an option of --method surface"), std::string::npos) << no_maps.err;
+    EXPECT_EQ(run_pencil({"bake", scene, "-o", image, "--map-kind", "cube"}).code, 2) << "fields are octahedral";
     EXPECT_EQ(run_pencil({"bake", scene, "-o", (folder / "field.png").string()}).code, 2);
     const RunResult nothing = run_pencil({"bake", dark, "-o", image, "--pencils", "8", "--map", "8", "--spp", "1"});
     EXPECT_EQ(nothing.code, 3);

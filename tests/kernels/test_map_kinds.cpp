@@ -54,8 +54,8 @@ class MapKinds : public testing::TestWithParam<int> {
 protected:
     static Launch kernel(const char* name) {
         cl::Program program(device()->context(), resolve_includes(map_kernels, "test_map_kinds"));
-        const std::string options = "-cl-std=CL1.2 -DPENCIL_WIDTH=" + std::to_string(device()->packet_width()) +
-                                    " -DPENCIL_MAP_KIND=" + std::to_string(GetParam());
+        const std::string options =
+            "-cl-std=CL1.2 -DPENCIL_WIDTH=" + std::to_string(device()->packet_width()) + " -DPENCIL_MAP_KIND=" + std::to_string(GetParam());
         program.build({device()->cl_device()}, options.c_str());
         return Launch(device(), cl::Kernel(program, name), name);
     }
@@ -136,7 +136,8 @@ TEST_P(MapKinds, WhatLiesAcrossSeams) {
         const double texel = 2.0 / s.n;
         for (int i = 0; i < count; ++i) {
             const int row = i / 25 / s.n, panel = row / s.n, x = i / 25 % s.n + i % 5 - 2, y = row % s.n + i / 5 % 5 - 2;
-            SCOPED_TRACE("n " + std::to_string(s.n) + " panel " + std::to_string(panel) + " texel " + std::to_string(x) + " " + std::to_string(y));
+            SCOPED_TRACE("n " + std::to_string(s.n) + " panel " + std::to_string(panel) + " texel " + std::to_string(x) + " " +
+                         std::to_string(y));
             const Int2& t = found[static_cast<std::size_t>(i)];
             ASSERT_TRUE(is_interior(s, t)) << t.x << " " << t.y;
             const bool out_x = x < 0 || x >= s.n, out_y = y < 0 || y >= s.n;
@@ -197,8 +198,7 @@ TEST_P(MapKinds, GeometryIsThatOfBruteForce) {
             Random random(static_cast<std::uint32_t>(triangles));
             const TestScene scene = soup_scene(static_cast<std::uint32_t>(triangles + 7), triangles);
             const std::vector<float4> centres = random_centres(random, 3, 0.95);
-            const Comparison c =
-                compare(map(), shape(width), scene, centres, made(make, GetParam(), scene, centres, shape(width)));
+            const Comparison c = compare(map(), shape(width), scene, centres, made(make, GetParam(), scene, centres, shape(width)));
             EXPECT_LE(c.ties, 2 + 2e-4 * c.texels) << "of " << c.texels;
         }
 }

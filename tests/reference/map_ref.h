@@ -9,7 +9,7 @@
 
 namespace pencil::ref {
 
-/// A point of a map: (u, v) in [-1, 1]^2 of a tile.
+/// A point of a map: (u, v) in [-1, 1]^2 of a tile, one of the squares that kernels/lib/panels.cl calls panels.
 struct MapPoint {
     int tile;
     dvec2 uv;

@@ -24,8 +24,8 @@ protected:
         return out;
     }
 };
-INSTANTIATE_TEST_SUITE_P(Kinds, MapKindRenders,
-                         testing::Values(MapKind::octahedral, MapKind::pyramid, MapKind::cube, MapKind::paraboloid), name_of);
+INSTANTIATE_TEST_SUITE_P(Kinds, MapKindRenders, testing::Values(MapKind::octahedral, MapKind::pyramid, MapKind::cube, MapKind::paraboloid),
+                         name_of);
 
 TEST_P(MapKindRenders, FurnaceIsExact) {
     const double a = 0.8F;

@@ -3,9 +3,9 @@
 
 #include "lib/cube.cl"
 #include "lib/footprint.cl"
-#include "lib/panels.cl"
 #include "lib/octahedral.cl"
 #include "lib/packet.cl"
+#include "lib/panels.cl"
 #include "lib/paraboloid.cl"
 #include "lib/pyramid.cl"
 #include "lib/surfel_packet.cl"

@@ -69,7 +69,8 @@ std::vector<float4> ProfileCandidates::place(const CandidateQuery& query) {
     const int points = points_per_candidate * query.count;
     const std::vector<float4> centres =
         place_pencils(scene_.flat, Sequence::low_discrepancy, points_per_candidate * query.first, points, query.set, scene_.seed);
-    auto maps = std::make_shared<GeometryMaps>(scene_.kernels.device(), centres, scene_.kernels.map_shape(profile_map), "illumination profile");
+    auto maps =
+        std::make_shared<GeometryMaps>(scene_.kernels.device(), centres, scene_.kernels.map_shape(profile_map), "illumination profile");
     make_geometry_maps(scene_.kernels, scene_.device_scene, *maps, 0, maps->count);
     std::vector<double> weights = visible_area(scene_.flat, *maps);
     normalise(weights);
