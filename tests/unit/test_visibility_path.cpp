@@ -70,11 +70,26 @@ TEST(VisibilityPath, PlanIsTheFastest) {
 TEST(VisibilityPath, ExplainsWhatWasChosen) {
     const std::vector<MapBatch> batches{{400, 64}};
     const std::string few = explain_paths(38, batches, units, {false, false});
-    EXPECT_NE(few.find("400 of 64x64 rasterised (predicted: rasterised "), std::string::npos) << few;
+    EXPECT_NE(few.find("400 octahedral maps of 64x64 texels rasterised (predicted: rasterised "), std::string::npos) << few;
     EXPECT_NE(few.find("nothing to prepare"), std::string::npos) << few;
     const std::string many = explain_paths(100365, batches, units, {false, true});
-    EXPECT_NE(many.find("400 of 64x64 traced"), std::string::npos) << many;
+    EXPECT_NE(many.find("400 octahedral maps of 64x64 texels traced"), std::string::npos) << many;
     EXPECT_NE(many.find("hierarchy 0.07 s"), std::string::npos) << many;
+}
+
+TEST(VisibilityPath, OtherKindsAreDrawnByClustersOrTraced) {
+    const std::vector<MapBatch> batches{{400, 64}};
+    for (const int triangles : {38, 100365})
+        for (const int kind : {PENCIL_MAP_PYRAMID, PENCIL_MAP_CUBE, PENCIL_MAP_PARABOLOID}) {
+            const Prepared prepared = plan_preparation(triangles, batches, units, kind);
+            const VisibilityPath path = choose_path(triangles, batches[0], units, prepared, kind);
+            EXPECT_EQ(path, kind != PENCIL_MAP_PARABOLOID && triangles == 38 ? VisibilityPath::clusters : VisibilityPath::trace);
+            EXPECT_EQ(prepared.bvh, path == VisibilityPath::trace);
+        }
+    EXPECT_THROW(choose_path(38, batches[0], units, {true, false}, PENCIL_MAP_PARABOLOID), std::logic_error);
+    const std::string cubes = explain_paths(38, batches, units, {true, false}, PENCIL_MAP_CUBE);
+    EXPECT_NE(cubes.find("400 cube maps of 6 x 28x28 texels rasterised by clusters (predicted: rasterised by clusters "), std::string::npos)
+        << cubes;
 }
 
 }  // namespace
