@@ -55,7 +55,8 @@ void settle(RenderCommand& command, const std::vector<Option>& table, const Give
             command.options.method = method;
             break;
         }
-    for (const char* flag : {"--pencils", "--map", "--map-kind", "--bounces", "--decay", "--least-pencils", "--iterate", "--placement", "--tolerance"})
+    for (const char* flag :
+         {"--pencils", "--map", "--map-kind", "--bounces", "--decay", "--least-pencils", "--iterate", "--placement", "--tolerance"})
         if (!command.field.empty() && is_given(flag, table, given))
             throw std::invalid_argument(std::string(flag) + ": is decided by the --field");
     add_named_layers(command.outputs, command.options.aovs);

@@ -32,8 +32,8 @@ struct Features {
     /// Fields of a surfel (shared/surfel.h).
     int surfel_fields() const;
     // What the method needs:
-    int weights = PENCIL_WEIGHTS_DPDF;  // form of the quadrature weights (shared/weights.h)
-    int cell_grid = 0;                  // root of the greatest number of directions that sample cells, 0 for weights that are none
+    int weights = PENCIL_WEIGHTS_DPDF;     // form of the quadrature weights (shared/weights.h)
+    int cell_grid = 0;                     // root of the greatest number of directions that sample cells, 0 for weights that are none
     int map_kind = PENCIL_MAP_OCTAHEDRAL;  // of pencils and light samples (shared/map_kind.h)
     bool bvh = false;                      // rays through the hierarchy decide visibility, geometry maps do not
 };

@@ -276,8 +276,9 @@ std::vector<std::string> LineMethod::explain() const {
                                    explain_iteration(options)};
     if (options.bounces == 1) lines.push_back("left out: all pencil sets that do not carry direct light (one reflection)");
     if (options.field)
-        return {lines[0], lines[1], fmt::format("left out: rooms, placement and transport between pencils; the light is that of a field of {}",
-                                           options.pencils)};
+        return {
+            lines[0], lines[1],
+            fmt::format("left out: rooms, placement and transport between pencils; the light is that of a field of {}", options.pencils)};
     if (projected_ == 0) return lines;
     std::string rooms;
     for (int shape : free_space_->rooms()) rooms += (rooms.empty() ? "" : ", ") + context_.scene.shapes[static_cast<std::size_t>(shape)].id;

@@ -27,7 +27,8 @@ constexpr int map_step = 8, largest_map = 1024;
 /// In the order of the enumerations.
 const std::vector<std::string> methods{"surface", "line", "hybrid"}, initials{"direct", "emission", "auto"},
     placements{"random", "lds", "near-surface", "light-rays", "camera-rays", "profile"},
-    weightings{"dpdf", "voronoi", "analytic", "thesis"}, iterations{"sets", "fixed", "levels"}, map_kinds{"octahedral", "pyramid", "cube", "paraboloid"};
+    weightings{"dpdf", "voronoi", "analytic", "thesis"}, iterations{"sets", "fixed", "levels"},
+    map_kinds{"octahedral", "pyramid", "cube", "paraboloid"};
 
 Option only(std::initializer_list<MethodName> served, Option option) {
     for (const MethodName method : served) option.methods += (option.methods.empty() ? "" : ", ") + to_string(method);

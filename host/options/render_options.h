@@ -26,11 +26,11 @@ constexpr double efficacy_of_scene = 0;  // RenderOptions::lumens_per_watt: stan
 
 struct RenderOptions {
     MethodName method = MethodName::surface;
-    int pencils = pencils_of_method;        // line: of the first set; surface: of the world set of the first pass
-    double decay = 0.7;                     // line: size of the next pencil set relative to the last
-    int least_pencils = pencils_of_method;  // line: sets do not shrink below this
-    int bounces = bounces_of_scene;         // reflections at most, direct light included
-    int map = 64;                           // line: octahedral tile size, a multiple of 8 [texels]
+    int pencils = pencils_of_method;         // line: of the first set; surface: of the world set of the first pass
+    double decay = 0.7;                      // line: size of the next pencil set relative to the last
+    int least_pencils = pencils_of_method;   // line: sets do not shrink below this
+    int bounces = bounces_of_scene;          // reflections at most, direct light included
+    int map = 64;                            // line: octahedral tile size, a multiple of 8 [texels]
     MapKind map_kind = MapKind::octahedral;  // line, hybrid: other kinds have about as many texels
     int light_samples = 64;
     Initial initial = Initial::automatic;
