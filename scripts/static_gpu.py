@@ -23,6 +23,8 @@ CHAIN = "a chain's vertex with all its lobes, and the stack of the hierarchy (20
 STACK_OF = {
     "project_pencils": (2560, "cells of weights: the nearest pencil or ray of each of the sampled directions, and radii"),
     "project_rays": (320, "the stack of the hierarchy, and a place"),
+    "film_surfels": (320, "a point of a surface with relief, beside calls that other kernels of the program share"),
+    "trace_hemispheres": (512, "the stack of the hierarchy, and calls that other kernels of the program share"),
     "sample_lights": (2304, "16 surfels draw their samples together at any width"),
     "trace_checks": (1152, CHAIN),
     "follow_surfels": (960, CHAIN),

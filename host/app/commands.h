@@ -53,13 +53,16 @@ struct BakeCommand {
     bool quiet = false;
 };
 
+enum class WalkMethod { line, hybrid };
+
 struct WalkCommand {
     std::filesystem::path scene;
     LoadOptions load;
     std::filesystem::path field, views, output;
+    WalkMethod method = WalkMethod::line;
     RenderOptions options;
     std::string device;
-    bool quiet = false;
+    bool every_pixel = false, quiet = false;
 };
 
 enum class MeasureMethod { surface, reference };

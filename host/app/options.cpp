@@ -204,10 +204,18 @@ std::vector<Option> option_table(BakeCommand& command) {
     return rows;
 }
 
+namespace {
+
+/// Of a view, which is seen for a moment.
+constexpr int view_samples = 4, view_lights = 32;
+
+}  // namespace
+
 std::vector<Option> option_table(WalkCommand& command) {
     RenderOptions& o = command.options;
-    o.method = MethodName::line;
     o.weights = Weights::analytic;
+    o.film_samples = view_samples;
+    o.light_samples = view_lights;
     o.aovs = {};
     Rows rows = scene_rows(command.scene, command.load);
     append(rows,
@@ -216,7 +224,9 @@ std::vector<Option> option_table(WalkCommand& command) {
                               "Cameras, a line each: where it stands, where it looks, and its upward direction if that is not the scene "
                               "camera's: x,y,z,x,y,z[,x,y,z]")),
             required(path_row("-o,--output", "FILE.exr", command.output, "Images to write: FILE-0001.exr and so on")),
-            word_option("--method", o.method, {"line", "hybrid"}, "Lines through the pencils, or lines and rays"),
+            word_option("--method", command.method, {"line", "hybrid"}, "Lines through the pencils, or lines and rays"),
+            switch_row("--every-pixel", command.every_pixel,
+                       "Make indirect light for all pixels, not for every third of every third row, and for edges"),
             resolution_option(o.width, o.height, "the scene's"),
             integer_option("--film-samples", o.film_samples, 1, 64, "Visibility samples of a pixel"),
             integer_option("--light-samples", o.light_samples, 1, most_baked, "Point samples over all emitters"), seed_option(o.seed),

@@ -58,6 +58,8 @@ ExitCode run_walk(const WalkCommand& command) {
     options.field = std::make_shared<PencilField>(read_field(command.field));
     options.pencils = options.field->count();
     options.map = options.field->map;
+    options.method = command.method == WalkMethod::line ? MethodName::line : MethodName::hybrid;
+    options.thin = !command.every_pixel;
     RenderSession session(scene, options, Device::open(command.device), [](const std::string&, double) { return interrupted_by() == 0; });
     std::vector<double> seconds = show(session, views, command.output);
     for (const std::string& warning : session.stats().warnings) print_warning(warning);

@@ -20,8 +20,11 @@ public:
     /// `aovs`: some of layer_groups(), or photometric layers, which are made elsewhere; others are a UsageError.
     explicit FilmLayers(const std::vector<std::string>& aovs);
 
-    /// Without any image, for the next.
-    void clear() { *this = FilmLayers({aovs_.begin(), aovs_.end()}); }
+    /// An image that is whole, instead of what there is: rgb per pixel.
+    void show(std::vector<float> pixels) {
+        *this = FilmLayers(std::vector<std::string>());
+        beauty_ = std::move(pixels);
+    }
     /// Emission (always part of the beauty) and the wanted properties of the surfaces.
     void add_surfaces(Kernels& kernels, const DeviceScene& scene, const FlatScene& flat, const Film& film);
     /// Reflection `order`: 1 is direct light ("direct"), 2 is "bounce2" and so on; indirect is all of them together ("indirect").

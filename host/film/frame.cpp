@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "film/emit_surfels.h"
 #include "film/light_surfels.h"
 #include "visibility/geometry_maps.h"
 
@@ -51,9 +52,19 @@ Frame::Frame(RenderContext& context, const std::vector<std::string>& aovs, int l
 }
 
 void Frame::look(const Turn& turn) {
+    Kernels& kernels = context_.kernels;
     context_.clock.run("film geometry", [&] { film_ = make_film(context_, turn); });
-    layers_.clear();
-    context_.clock.run("surface layers", [&] { layers_.add_surfaces(context_.kernels, context_.device_scene, context_.flat, *film_); });
+    outgoing_ = surfel_rgb(kernels.device(), film_->surfels().capacity, "film radiance");
+    context_.clock.run("direct light", [&] {
+        emit_surfels(kernels, context_.device_scene, film_->surfels(), false, outgoing_);
+        if (lights_.maps.count > 0)
+            light_surfels(kernels, context_.device_scene, film_->surfels(), lights_, outgoing_, "direct light to film");
+    });
+}
+
+void Frame::finish_look() {
+    context_.clock.run(
+        "resolve film", [&] { layers_.show(film_->resolve(context_.kernels, outgoing_)); });
 }
 
 void Frame::make_lights(int count, int map, const Turn& turn) {

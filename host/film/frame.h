@@ -18,8 +18,10 @@ public:
     /// Makes film geometry, light samples with their maps of width `light_map` (0: none), and the surface layers.
     Frame(RenderContext& context, const std::vector<std::string>& aovs, int light_samples, int light_map, const Turn& turn);
 
-    /// Film and surface layers once more, from the camera that the scene has now; lights stay.
+    /// The film once more, from the camera that the scene has now; lights stay. outgoing() gets emission and the direct light of light samples.
     void look(const Turn& turn);
+    /// outgoing() is the image: one layer, the beauty.
+    void finish_look();
 
     /// Direct light of the light samples goes into outgoing(), and is finished as order 1 unless maps carry more of it. False if nothing
     /// can be added: no light, or no reflections wanted. `light` adds it instead of light_surfels.

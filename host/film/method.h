@@ -40,7 +40,7 @@ public:
     virtual std::vector<Layer> snapshot() const = 0;
     /// The same, at the end: nothing may follow.
     virtual std::vector<Layer> take() { return snapshot(); }
-    /// The image once more, from the camera that the scene has now, by the light that is there. False if the method makes light for a camera.
+    /// The image once more, from the camera that the scene has now, by the light that is there: the beauty. False if the method makes light for a camera.
     virtual bool look() { return false; }
     /// Gives back what only a next step would need: there is none.
     virtual void let_go() {}

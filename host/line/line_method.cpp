@@ -11,6 +11,7 @@
 #include "line/project_pencils.h"
 #include "line/series_end.h"
 #include "line/sum_radiance.h"
+#include "line/thin_film.h"
 #include "line/weights.h"
 #include "util/error.h"
 
@@ -140,7 +141,8 @@ bool LineMethod::look() {
     if (!context_.options.field || !solver_) return false;
     frame_->look(Turn{context_.options.seed, 0, true});
     visible_ = visible_buffer();
-    if (frame_->add_direct() && context_.wanted(order_ + 1)) show_set();
+    project_set();
+    frame_->finish_look();
     return true;
 }
 
@@ -221,11 +223,18 @@ void LineMethod::project() {
 
 /// Adds what the surfels of the film reflect of the set's light; takes so many seconds.
 double LineMethod::project_set() {
+    int surfels = frame_->film().surfels().count;
     const double seconds = context_.clock.run("projection-scatter", [&] {
-        solver_->project(frame_->film().surfels(), set_, film_rays(context_.options, context_.options.field ? 0 : projected_),
-                         frame_->outgoing(), visible_, "projection-scatter");
+        const RayChoice rays = film_rays(context_.options, context_.options.field ? 0 : projected_);
+        const std::string what = "projection-scatter";
+        if (!context_.options.thin) return solver_->project(frame_->film().surfels(), set_, rays, frame_->outgoing(), visible_, what);
+        const ThinFilm thin(context_.kernels, frame_->film());
+        surfels = thin.surfels().count;
+        Buffer<float> light = surfel_rgb(context_.kernels.device(), thin.surfels().capacity, "light of picked surfels");
+        solver_->project(thin.surfels(), set_, rays, light, visible_, what);
+        thin.spread(context_.kernels, light, frame_->outgoing());
     });
-    if (projected_++ == 0) count_blind();
+    if (projected_++ == 0) count_blind(surfels);
     return seconds;
 }
 
@@ -237,9 +246,9 @@ double LineMethod::progress() const {
     return std::clamp(std::log(share) / std::log(std::min(options.tolerance, 0.5)), 0.0, 1.0);
 }
 
-void LineMethod::count_blind() {
+void LineMethod::count_blind(int surfels) {
     RenderStats& stats = context_.stats;
-    const std::vector<int> visible = visible_.read(0, static_cast<std::size_t>(frame_->film().surfels().count));
+    const std::vector<int> visible = visible_.read(0, static_cast<std::size_t>(surfels));
     stats.blind_surfels = static_cast<std::uint64_t>(std::count(visible.begin(), visible.end(), 0));
     if (weights_need_rays(context_.kernels.features().weights)) return;  // the others have their rays
     if (stats.blind_surfels > visible.size() / blind_share)

@@ -40,7 +40,7 @@ private:
     void project();
     double project_set();
     double progress() const;
-    void count_blind();
+    void count_blind(int surfels);
     void close_series();
 
     RenderContext& context_;

@@ -38,6 +38,7 @@ struct RenderOptions {
     Weights weights = Weights::dpdf;                   // line
     Iterate iterate = Iterate::sets;                   // line
     std::shared_ptr<const PencilField> field;          // line, hybrid: its light instead of the sets', which are not made
+    bool thin = false;                                 // line, hybrid: indirect light of some pixels, and of edges (thin_film.h)
     bool keep_field = false;                           // line, hybrid: RenderResult::field
     int rays = 64;                                     // hybrid: of each surfel of the film
     double seconds = 0;                                // surface: passes until then, 0: until target_error

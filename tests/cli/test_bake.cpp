@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "cli/fixtures.h"
@@ -22,6 +23,30 @@ TEST(Bake, AFieldIsShown) {
         const RunResult shown = run_pencil(command);
         EXPECT_EQ(shown.code, 0) << shown.err;
     }
+}
+
+TEST(Walk, WritesAnImageForEachView) {
+    const Folder folder;
+    const std::string scene = folder.write("scene.xml", small_scene()), field = (folder / "field.exr").string();
+    ASSERT_EQ(run_pencil({"bake", scene, "-o", field, "--pencils", "8", "--map", "8", "--spp", "4"}).code, 0);
+    const auto walk = [&](const std::string& views) {
+        return run_pencil({"walk", scene, "--field", field, "--views", folder.write("views.txt", views), "-o",
+                           (folder / "image.exr").string(), "--resolution", "16x16", "--film-samples", "4", "--light-samples", "4"});
+    };
+    const RunResult walked = walk("# place, target, upwards\n0 0 3, 0 0 0\n\n0.1,0,2.5,0,0,0,0,1,0 # nearer\n");
+    ASSERT_EQ(walked.code, 0) << walked.err;
+    EXPECT_NE(walked.out.find("wrote 2 views"), std::string::npos) << walked.out;
+    for (const char* name : {"image-0001.exr", "image-0002.exr"}) EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
+    const auto refused = [&](const std::string& views, const std::string& what) {
+        const RunResult result = walk(views);
+        EXPECT_EQ(result.code, 3);
+        EXPECT_NE(result.err.find(what), std::string::npos) << result.err;
+    };
+    refused("0,0,3,0,0\n", "views.txt:1: 5 numbers where 6 or 9 are expected");
+    refused("\n0,0,3,0,0,x\n", "views.txt:2");
+    refused("0,0,3,0,0,3\n", "cannot look at where it stands");
+    refused("0,0,3,0,0,0,0,0,1\n", "upward direction");
+    refused("# nothing\n", "holds no view");
 }
 
 TEST(Bake, WhatIsNoFieldOrCannotBeOneIsRefused) {

@@ -1,5 +1,6 @@
 // Fields of pencils: light made by one method, shown by another, and the same light whoever made it.
 #include "reference/path_tracer.h"
+#include "render/render_session.h"
 #include "scenes/known_scenes.h"
 #include "scenes/scene_builder.h"
 #include "util/error.h"
@@ -98,6 +99,72 @@ TEST(Field, IsShownFromAnyCameraAndByEveryFormOfWeights) {
         const dvec3 line = ratio(MethodName::line, weights);
         for (int c = 0; c < 3; ++c) EXPECT_NEAR(line[c], 1.0, 0.25) << "lines lose the light of near walls";
     }
+}
+
+/// A ball in the room, so that films have edges and normals that turn.
+Scene room_with_a_ball() {
+    Scene scene = coloured_room();
+    std::vector<Face> ball = inward_sphere(0.25, 24);
+    for (Face& face : ball) {
+        std::swap(face[0], face[2]);
+        for (dvec3& corner : face) corner += dvec3(0.5, 0.3, 0.5);
+    }
+    add_shape(scene, "ball", ball, {{0.6F, 0.6F, 0.6F}, glm::vec3(0.0F), false});
+    return scene;
+}
+
+double relative_difference(const std::vector<float>& a, const std::vector<float>& b) {
+    double difference = 0.0, sum = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        difference += std::abs(static_cast<double>(a[i] - b[i]));
+        sum += static_cast<double>(b[i]);
+    }
+    return difference / sum;
+}
+
+RenderOptions shown_by(const RenderResult& made, MethodName method, bool thin) {
+    RenderOptions options = field_options();
+    options.keep_field = false;
+    options.field = made.field;
+    options.method = method;
+    options.weights = Weights::analytic;
+    options.thin = thin;
+    return options;
+}
+
+TEST(Field, AViewIsTheRenderFromThere) {
+    Scene scene = room_with_a_ball();
+    const RenderResult made = render(scene, field_options(), device());
+    for (const MethodName method : {MethodName::line, MethodName::hybrid})
+        for (const bool thin : {false, true}) {
+            RenderSession session(scene, shown_by(made, method, thin), device());
+            while (session.advance()) {
+            }
+            Scene there = scene;
+            for (const double x : {0.1, 0.8}) {
+                look_at(there, {x, 0.2, 0.1}, {0.9, 0.6, 0.9}, {0, 1, 0}, 70.0, 32, 32);
+                session.look(there.sensor);
+                const RenderResult fresh = render(there, shown_by(made, method, thin), device());
+                EXPECT_LT(relative_difference(session.snapshot().front().pixels, fresh.layers.front().pixels), 2e-3) << x << thin;
+            }
+        }
+    RenderSession surface(scene, RenderOptions(), device());
+    EXPECT_THROW(surface.look(scene.sensor), UsageError);
+}
+
+TEST(Field, AThinFilmShowsTheSame) {
+    Scene scene = room_with_a_ball();
+    const RenderResult made = render(scene, field_options(), device());
+    RenderOptions every = shown_by(made, MethodName::line, false), thin = shown_by(made, MethodName::line, true);
+    every.width = thin.width = 95;
+    every.height = thin.height = 64;
+    const RenderResult a = render(scene, thin, device()), b = render(scene, every, device());
+    const double difference = relative_difference(a.layers.front().pixels, b.layers.front().pixels);
+    std::printf("thin film, mean difference: %.4f\n", difference);
+    EXPECT_GT(difference, 0.0);
+    EXPECT_LT(difference, 0.01);
+    const dvec3 ratio = mean_of_all(a.layers.front().pixels) / mean_of_all(b.layers.front().pixels);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(ratio[c], 1.0, 3e-3);
 }
 
 TEST(Field, HasTheOrdersThatItWasMadeWith) {

@@ -1,0 +1,51 @@
+// A thin film: indirect light, which is smooth, is made for every third pixel of every third row, and for surfaces that these do not show.
+// Other surfels receive the bilinear mean of the surfels about them on the same surface.
+
+#include "lib/surfel.cl"
+#include "shared/film.h"
+#include "shared/surfel.h"
+
+/// Of pixels that have light of their own, in rows and in columns.
+#define THIN_STEP 3
+/// Surfels on one surface: in one plane, or with nearly the same normal and so little out of each other's plane, in terms of their distance.
+#define THIN_NORMAL 0.97f
+#define THIN_SLOPE 0.1f
+/// Neighbours that light is taken from, at least.
+#define THIN_LEAST 2
+
+typedef struct ThinFilm {
+    global const uchar *counts;
+    global const int *first_surfel;
+    int width, height;
+} ThinFilm;
+
+static inline bool is_thin_pixel(int2 pixel) { return pixel.x % THIN_STEP == 0 && pixel.y % THIN_STEP == 0; }
+
+static inline bool on_one_surface(global const float *surfels, size_t capacity, int i, int j) {
+    int plane = SURFEL_CONST_INT(surfels, SURFEL_PLANE * capacity + i);
+    if (plane == SURFEL_CONST_INT(surfels, SURFEL_PLANE * capacity + j))
+        return SURFEL_CONST_INT(surfels, SURFEL_MATERIAL * capacity + i) >> 31 ==
+               SURFEL_CONST_INT(surfels, SURFEL_MATERIAL * capacity + j) >> 31;
+    float3 n = surfel_vector(surfels, capacity, i, SURFEL_NX), m = surfel_vector(surfels, capacity, j, SURFEL_NX);
+    float3 apart = surfel_vector(surfels, capacity, i, SURFEL_X) - surfel_vector(surfels, capacity, j, SURFEL_X);
+    return dot(n, m) > THIN_NORMAL && fmax(fabs(dot(n, apart)), fabs(dot(m, apart))) < THIN_SLOPE * length(apart);
+}
+
+/// Surfels of the thin pixels about `pixel` on the surface of surfel i, at most 4, with their bilinear weights; returns how many.
+static inline int thin_neighbours(const ThinFilm *film, global const float *surfels, size_t capacity, int2 pixel, int i, int *found,
+                                  float *weights) {
+    int count = 0;
+    int2 beyond = (int2)(pixel.x % THIN_STEP, pixel.y % THIN_STEP), corner = pixel - beyond;
+    float2 share = convert_float2(beyond) / THIN_STEP;
+    for (int k = 0; k < 4; ++k) {
+        int2 at = corner + THIN_STEP * (int2)(k & 1, k >> 1);
+        float weight = (k & 1 ? share.x : 1.0f - share.x) * (k >> 1 ? share.y : 1.0f - share.y);
+        if (weight == 0.0f || at.x >= film->width || at.y >= film->height) continue;
+        int other = at.y * film->width + at.x, surfel = film->first_surfel[other], end = surfel + (film->counts[other] & FILM_COUNT_MASK);
+        while (surfel < end && !on_one_surface(surfels, capacity, i, surfel)) ++surfel;
+        if (surfel == end) continue;
+        found[count] = surfel;
+        weights[count++] = weight;
+    }
+    return count;
+}
