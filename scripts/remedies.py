@@ -58,8 +58,8 @@ def blur(width):
             (SMOOTH, "int dy = -1; dy <= 1;", f"int dy = {-width}; dy <= {width};"),
             (SMOOTH, "int dx = -1; dx <= 1;", f"int dx = {-width}; dx <= {width};"),
             (SMOOTH, "(float)((2 - abs(dx)) * (2 - abs(dy)))", f"row[dx + {width}] * row[dy + {width}]"),
-            (SMOOTH, "min(centre.x, centre.y) > 0 && max(centre.x, centre.y) < n - 1",
-             f"min(centre.x, centre.y) >= {width} && max(centre.x, centre.y) < n - {width}")]
+            (SMOOTH, "map_is_inner(centre, n)", f"min(centre.x, centre.y) >= {width} && max(centre.x, centre.y) < n - {width}"),
+            (SMOOTH, "map_texel_beside(centre, (int2)(dx, dy), n)", "oct_fold_texel(centre + (int2)(dx, dy), n)")]
 
 
 SHARP = [(SMOOTH, "if (PENCIL_WEIGHTS == PENCIL_WEIGHTS_POWER) {", "if (1) {")]

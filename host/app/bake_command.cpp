@@ -55,7 +55,7 @@ RenderOptions bake_options(const BakeCommand& command, const Scene& scene) {
     options.width = finder_width;
     options.height = std::max(finder_width * scene.sensor.height / std::max(scene.sensor.width, 1), 1);
     options.aovs = {};
-    if (command.from == BakeFrom::reference) options.bounces = 2;  // one set: its centres alone count
+    if (command.from == BakeFrom::reference) options.bounces = 2;  // its centres alone count
     return options;
 }
 

@@ -4,7 +4,6 @@
 #include <stdexcept>
 
 #include "app/interrupt.h"
-#include "cl/build_ahead.h"
 
 namespace pencil {
 
@@ -112,7 +111,6 @@ ExitCode run_command_line(int argc, char** argv) {
         throw UsageError(error.what());
     }
     watch_signals();
-    allow_build_ahead("/proc/self/exe");
     for (const SubCommand& command : commands)
         if (app.got_subcommand(command.name)) return command.run();
     throw UsageError("a command is required: " + names(commands));

@@ -9,6 +9,7 @@
 #include "app/message.h"
 #include "app/outputs.h"
 #include "app/run_report.h"
+#include "cl/build_ahead.h"
 #include "field/field_file.h"
 #include "options/render_option_table.h"
 #include "render/photometric_layers.h"
@@ -108,6 +109,7 @@ ExitCode run_render(const RenderCommand& command) {
     const Stopwatch total;
     RunReport report;
     set_quiet(command.quiet);
+    allow_build_ahead("/proc/self/exe");
     check_outputs(command.outputs, {command.stats, command.checkpoint}, command.scene);
     const Scene scene = timed(report, "load scene", [&] { return load_scene(command.scene, command.load); });
     add_warnings(report, scene.warnings);

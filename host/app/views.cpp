@@ -16,7 +16,7 @@ namespace pencil {
 namespace {
 
 constexpr std::uintmax_t largest_file = std::uintmax_t{16} << 20;  // [bytes]
-constexpr std::size_t most_views = 1000000;
+constexpr std::size_t most_views = 100000;
 constexpr double largest_coordinate = 1e18;  // as in scenes
 
 std::vector<double> numbers_of(std::string_view text) {

@@ -9,6 +9,7 @@
 #include "app/message.h"
 #include "app/outputs.h"
 #include "app/views.h"
+#include "cl/build_ahead.h"
 #include "field/field_file.h"
 #include "render/render_session.h"
 #include "scene/formats/load_scene.h"
@@ -29,7 +30,14 @@ void write_view(const RenderSession& session, const std::filesystem::path& file)
     write_images({file}, image, {}, false);
 }
 
-/// Seconds of the views, without writing them; the first brings what all need.
+void check_images(const WalkCommand& command, std::size_t views) {
+    for (std::size_t k = 1; k <= views; ++k)
+        for (const std::filesystem::path& read : {command.field, command.views, command.scene})
+            if (const std::filesystem::path image = numbered(command.output, k); same_file(image, read))
+                throw OutputError("cannot write " + image.string() + ": it is read");
+}
+
+/// Seconds of the views that are written, without writing them; the first brings what all need.
 std::vector<double> show(RenderSession& session, const std::vector<PerspectiveSensor>& views, const std::filesystem::path& output) {
     std::vector<double> seconds;
     for (std::size_t k = 0; k < views.size() && interrupted_by() == 0; ++k) {
@@ -39,8 +47,10 @@ std::vector<double> show(RenderSession& session, const std::vector<PerspectiveSe
             }
         else
             session.look(views[k]);
-        seconds.push_back(watch.seconds());
-        if (interrupted_by() == 0) write_view(session, numbered(output, k + 1));
+        const double taken = watch.seconds();
+        if (session.interrupted()) break;
+        write_view(session, numbered(output, k + 1));
+        seconds.push_back(taken);
     }
     return seconds;
 }
@@ -49,10 +59,12 @@ std::vector<double> show(RenderSession& session, const std::vector<PerspectiveSe
 
 ExitCode run_walk(const WalkCommand& command) {
     set_quiet(command.quiet);
+    allow_build_ahead("/proc/self/exe");
     check_outputs({numbered(command.output, 1)}, {}, command.scene);
     Scene scene = load_scene(command.scene, command.load);
     for (const std::string& warning : scene.warnings) print_warning(warning);
     const std::vector<PerspectiveSensor> views = read_views(command.views, scene.sensor);
+    check_images(command, views.size());
     scene.sensor = views.front();
     RenderOptions options = command.options;
     options.field = std::make_shared<PencilField>(read_field(command.field));
@@ -64,7 +76,7 @@ ExitCode run_walk(const WalkCommand& command) {
     std::vector<double> seconds = show(session, views, command.output);
     for (const std::string& warning : session.stats().warnings) print_warning(warning);
     if (interrupted_by() != 0) {
-        print_error(fmt::format("interrupted; {} of {} views are written", std::max<std::size_t>(seconds.size(), 1) - 1, views.size()));
+        print_error(fmt::format("interrupted; {} of {} views are written", seconds.size(), views.size()));
         return ExitCode::interrupted;
     }
     if (command.quiet) return ExitCode::ok;

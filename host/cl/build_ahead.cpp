@@ -111,9 +111,10 @@ BuildAhead::BuildAhead(const Device& device, const std::vector<KernelBuild>& bui
     if (device.info().platform != pocl_platform || environment("POCL_KERNEL_CACHE") == "0") return;
     const std::string text = lines(builds);
     const std::filesystem::path all_built = mark(device.info(), text, builds);
-    if (std::filesystem::exists(all_built)) return;
-    log_info("building kernels for " + device.info().name + "; later renders find them built");
+    std::error_code none;
     const std::size_t count = std::min(cores() - 1, most_processes);
+    if (count == 0 || std::filesystem::exists(all_built, none)) return;
+    log_info("building kernels for " + device.info().name);
     for (std::size_t i = 1; i <= count; ++i) {
         const std::size_t from = builds.size() * (i + 1) / (count + 1) - 1;
         const pid_t process = start(fmt::format("{} {} {}\n{}\n{}", getpid(), device.info().index, from, all_built.string(), text));
@@ -123,6 +124,7 @@ BuildAhead::BuildAhead(const Device& device, const std::vector<KernelBuild>& bui
 
 BuildAhead::~BuildAhead() {
     for (const pid_t process : processes_) {
+        if (waitpid(process, nullptr, WNOHANG) != 0) continue;  // it has ended, or is no child any more
         kill(process, SIGKILL);
         waitpid(process, nullptr, 0);
     }

@@ -40,8 +40,10 @@ public:
     virtual std::vector<Layer> snapshot() const = 0;
     /// The same, at the end: nothing may follow.
     virtual std::vector<Layer> take() { return snapshot(); }
-    /// The image once more, from the camera that the scene has now, by the light that is there: the beauty. False if the method makes light for a camera.
-    virtual bool look() { return false; }
+    /// Whether there is light that does not depend on the camera, and look() can show it.
+    virtual bool can_look() const { return false; }
+    /// The image once more, from the camera that the scene has now, by the light that is there: the beauty.
+    virtual void look() {}
     /// Gives back what only a next step would need: there is none.
     virtual void let_go() {}
     /// Estimated relMSE of the beauty; infinite if not known.

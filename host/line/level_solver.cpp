@@ -9,13 +9,12 @@ namespace pencil {
 
 namespace {
 
-/// Adds `factor` times the light of `term` to that of `sum`.
-void add_light(const PencilSet& term, const glm::dvec3& factor, PencilSet& sum) {
-    const std::vector<float4> more = term.radiance.read();
-    std::vector<float4> light = sum.radiance.read();
-    for (std::size_t i = 0; i < light.size(); ++i)
-        for (int c = 0; c < 3; ++c) light[i][c] += static_cast<float>(factor[c]) * more[i][c];
-    sum.radiance.write(light);
+/// Adds `factor` times the light of `term` to that of `sum`; launcher of add_radiance.cl.
+void add_light(Kernels& kernels, const PencilSet& term, const glm::dvec3& factor, PencilSet& sum) {
+    const int texels = static_cast<int>(term.radiance.size());
+    kernels.get("add_radiance")
+        .args(term.radiance, float4(glm::vec3(factor), 0.0F), texels, sum.radiance)
+        .run(term.radiance.size(), "sum of bounces");
 }
 
 PencilSet copy_of(Kernels& kernels, const PencilSet& set) {
@@ -60,9 +59,9 @@ PencilSet LevelSolver::iterate(PencilSet term, int first, int last) {
         if (order > 0 && series_ended(series_, context_.options.tolerance, context_.stats)) break;
         term = solver_.reflect(term, light_joins);
         series_.add(sum_radiance(context_.kernels, term));
-        add_light(term, glm::dvec3(1.0), sum);
+        add_light(context_.kernels, term, glm::dvec3(1.0), sum);
     }
-    if (last < 0 && !series_.diverges()) add_light(term, series_.tail_factor(), sum);
+    if (last < 0 && !series_.diverges()) add_light(context_.kernels, term, series_.tail_factor(), sum);
     return sum;
 }
 

@@ -10,7 +10,7 @@
 namespace pencil {
 
 /// Light of all orders in one set: iterated to the end on the coarsest level; each finer one receives the light of the next coarser after one
-/// more reflection, and direct light of its own. n pencils so cost n^2 / 4, not k n^2 for k bounces, and early orders, which vary the most in
+/// more reflection, and direct light of its own. n pencils so cost n^2 / 2 or less, not k n^2 for k bounces, and early orders, which vary the most in
 /// space, are carried by the finest levels.
 /// DEVIATION: the thesis iterates small groups first, each by itself. Members of a group see what they reflect through a narrow bundle of
 /// lines, so the light of a group alone is wrong (docs/accuracy.md); leaders are spread over the whole scene.

@@ -74,7 +74,7 @@ MethodNeeds line_needs(const Scene& scene, const std::vector<LightForm>& forms, 
     if (scene.sensor.orthographic || scene.sensor.aperture_radius > 0)
         throw UsageError("line projection knows the pinhole camera alone; take --method surface");
     MethodNeeds needs;
-    needs.kernels = sure_kernels(form);
+    if (!options.field && options.bounces != 0) needs.kernels = sure_kernels(form);
     needs.maps = planned_maps(scene, forms, options);
     needs.hierarchy = follows_rays(options.placement) || weights_need_rays(form);
     needs.map_kind = kind;
@@ -137,13 +137,18 @@ void LineMethod::show_set() {
 }
 
 /// Light that a field has brought does not depend on who looks.
-bool LineMethod::look() {
-    if (!context_.options.field || !solver_) return false;
+void LineMethod::look() {
     frame_->look(Turn{context_.options.seed, 0, true});
     visible_ = visible_buffer();
     project_set();
     frame_->finish_look();
-    return true;
+}
+
+/// What emitters send to the pencils of a set.
+PencilSet LineMethod::emission_of(const PencilSet& set) {
+    PencilSet emission(context_.kernels.device(), set.maps);
+    solver_->fill(emission, nullptr, true, false, false);
+    return emission;
 }
 
 /// The light of all orders in one set, by hierarchical iteration.
@@ -156,6 +161,7 @@ void LineMethod::show_levels() {
     if (context_.options.keep_field) {
         field_sum_ = std::make_unique<FieldSum>(set_, context_.flat, free_space_->share());
         field_sum_->add(set_, glm::dvec3(1.0));
+        if (context_.maps_emit) field_sum_->add(emission_of(set_), glm::dvec3(-1.0));
     }
     const double seconds = project_set();
     frame_->finish_bounce(FilmLayers::indirect, set_.maps->count, seconds);
@@ -170,7 +176,7 @@ bool LineMethod::begin() {
     frame_ =
         std::make_unique<Frame>(context_, options.aovs, options.light_samples, light_map_size(options.map), Turn{options.seed, 0, true});
     order_ = context_.maps_emit ? 0 : 1;
-    return frame_->add_direct() && context_.wanted(order_ + 1);
+    return frame_->add_direct() && (options.field || context_.wanted(order_ + 1));
 }
 
 void LineMethod::find_rooms() {
@@ -234,7 +240,7 @@ double LineMethod::project_set() {
         solver_->project(thin.surfels(), set_, rays, light, visible_, what);
         thin.spread(context_.kernels, light, frame_->outgoing());
     });
-    if (projected_++ == 0) count_blind(surfels);
+    if (projected_++ == 0 && !context_.options.thin) count_blind(surfels);
     return seconds;
 }
 

@@ -21,7 +21,8 @@ public:
     explicit LineMethod(RenderContext& context) : context_(context) {}
 
     bool advance() override;
-    bool look() override;
+    bool can_look() const override { return context_.options.field && solver_; }
+    void look() override;
     std::vector<Layer> snapshot() const override;
     std::vector<Layer> take() override;
     std::vector<std::string> explain() const override;
@@ -32,6 +33,7 @@ private:
     void show_field();
     void show_levels();
     void show_set();
+    PencilSet emission_of(const PencilSet& set);
     Buffer<int> visible_buffer() const;
     void find_rooms();
     void make_solver();

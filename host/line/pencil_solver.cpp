@@ -126,8 +126,8 @@ void PencilSolver::weigh_tiles(PencilSet& target, int first, int count, const Su
 void PencilSolver::weigh(PencilSet& target) {
     if (!weights_in_maps(form())) return;
     const bool seen = weights_need_masks(form());
-    const int n = target.maps->n, tiles = seen ? chunk_tiles(n, target.maps->count) : target.maps->count;
-    Surfels surfels = seen ? Surfels(kernels_, tiles * n * n, "surfels of pencil maps") : Surfels();
+    const int texels = target.maps->texels(), tiles = seen ? chunk_tiles(texels, target.maps->count) : target.maps->count;
+    Surfels surfels = seen ? Surfels(kernels_, tiles * texels, "surfels of pencil maps") : Surfels();
     Buffer<uint> mask = masks(surfels, target.maps->count);
     for (int first = 0; first < target.maps->count; first += tiles)
         clock_.run("pencil density", [&] {

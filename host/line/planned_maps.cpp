@@ -53,9 +53,16 @@ int set_size(const RenderOptions& options, int index) {
     return std::max(static_cast<int>(std::lround(size)), std::min(options.pencils, options.least_pencils));
 }
 
+namespace {
+
+/// As group_leaders splits them.
+int groups_of(int pencils) { return pencils <= level_group ? 1 : groups_of(pencils / 2) + groups_of(pencils - pencils / 2); }
+
+}  // namespace
+
 std::vector<int> level_sizes(int pencils) {
     std::vector<int> sizes{pencils};
-    while (sizes.back() / level_group >= coarsest_level) sizes.push_back(sizes.back() / level_group);
+    for (int next = groups_of(pencils); next >= coarsest_level && next < sizes.back(); next = groups_of(next)) sizes.push_back(next);
     return sizes;
 }
 

@@ -9,12 +9,12 @@
 
 namespace pencil {
 
-/// Pencils of set number `index`: --pencils shrunk by --decay, not below 16 or --pencils.
+/// Pencils of set number `index`: --pencils shrunk by --decay, not below --least-pencils or --pencils.
 int set_size(const RenderOptions& options, int index);
 
 /// Pencils of a group, of which one goes on to the next level.
 constexpr int level_group = 4;
-/// Numbers of pencils of the levels, about: the finest first.
+/// Numbers of pencils of the levels, the finest first; bounces that are limited may need fewer levels.
 std::vector<int> level_sizes(int pencils);
 
 /// The value of PENCIL_MAP_KIND.

@@ -55,7 +55,8 @@ Option pencils_row(int& pencils) {
 }
 
 Option least_pencils_row(int& least) {
-    Option row = integer_option("--least-pencils", least, 1, many, "Sets do not shrink below this, unless the first has fewer");
+    Option row =
+        integer_option("--least-pencils", least, 1, many, "Sets of --iterate sets do not shrink below this, unless the first has fewer");
     row.standard = fmt::format("{}; hybrid: {}", standard_least_pencils(MethodName::line), standard_least_pencils(MethodName::hybrid));
     return row;
 }
@@ -155,7 +156,8 @@ std::vector<Option> render_option_table(RenderOptions& o) {
         only({surface}, time_row(o.seconds)),
         only({surface}, target_row(o.target_error)),
         pencils_row(o.pencils),
-        only({line, hybrid}, real_option("--decay", o.decay, 0, false, 1, "Size of each further set relative to the last")),
+        only({line, hybrid},
+             real_option("--decay", o.decay, 0, false, 1, "Size of each further set relative to the last, of --iterate sets")),
         only({line, hybrid}, least_pencils_row(o.least_pencils)),
         endless_option("--bounces", o.bounces, 0, most_bounces,
                        "Reflections at most: 0 emission only, 1 direct light only; auto: until --tolerance"),

@@ -98,10 +98,15 @@ bool RenderSession::advance() {
 void RenderSession::look(const PerspectiveSensor& sensor) {
     RenderContext& context = *context_;
     if (sensor.orthographic || sensor.aperture_radius > 0) throw UsageError("a view of a field is that of a pinhole");
+    if (!method_->can_look()) throw UsageError("the light of a render is made for one camera; only a --field has light for others");
     flatten_camera(sensor, context.options.width, context.options.height, context.flat);
     context.device_scene.look(context.flat);
     context.stats.bounces.clear();
-    if (!method_->look()) throw UsageError("the light of a render is made for one camera; only a --field has light for others");
+    try {
+        method_->look();
+    } catch (const Stopped&) {
+        ended_ = true;
+    }
 }
 
 bool RenderSession::resumable() const { return method_->resumable(); }

@@ -31,7 +31,8 @@ public:
     /// One step: a pass of the surface method, a bounce of the line method. False if it was the last, or stopped, and ever after: what is
     /// finished stays.
     bool advance();
-    /// The image from another pinhole, of the same size, by the light that is there: for fields, once they have been shown. UsageError for all else.
+    /// The image from another pinhole, of the same size, by the light that is there: for fields, once they have been shown. UsageError for all else,
+    /// which changes nothing. Stopped, the image is of no use.
     void look(const PerspectiveSensor& sensor);
 
     /// The image as far as it has come, beauty first; empty before the first step.

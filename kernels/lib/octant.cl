@@ -9,8 +9,8 @@
 
 /// Octants of a tile: a work-item each.
 #define OCTANTS 8
-/// Room for the corners of a triangle clipped by three planes: each adds one at most.
-#define CLIP_CORNERS 7
+/// Room for the corners of a triangle clipped by three planes, of panels by four: each adds one at most, and rounding one more.
+#define CLIP_CORNERS (PENCIL_MAP_KIND == 0 ? 7 : 11)
 
 /// Direction through (u, v) in the octant of signs s: inside the diamond (u, v, 1 - sx u - sy v); outside it
 /// (sx - sx sy v, sy - sx sy u, 1 - sx u - sy v), which is the flip of eq. (4.17).

@@ -31,6 +31,23 @@ static inline bool on_one_surface(global const float *surfels, size_t capacity, 
     return dot(n, m) > THIN_NORMAL && fmax(fabs(dot(n, apart)), fabs(dot(m, apart))) < THIN_SLOPE * length(apart);
 }
 
+/// True if one of the surfels of a pixel lies on the surface of surfel i.
+static inline bool pixel_shows_surface(const ThinFilm *film, global const float *surfels, size_t capacity, int2 pixel, int i) {
+    int at = pixel.y * film->width + pixel.x, surfel = film->first_surfel[at], end = surfel + (film->counts[at] & FILM_COUNT_MASK);
+    while (surfel < end && !on_one_surface(surfels, capacity, i, surfel)) ++surfel;
+    return surfel < end;
+}
+
+/// True if the surface of surfel i goes on from its pixel to another: a wall that stands on it, wide as a pixel, ends it.
+static inline bool surface_goes_on(const ThinFilm *film, global const float *surfels, size_t capacity, int2 from, int2 to, int i) {
+    for (int k = 1; k < THIN_STEP; ++k) {
+        int2 between = (int2)((from.x * (THIN_STEP - k) + to.x * k + THIN_STEP / 2) / THIN_STEP,
+                              (from.y * (THIN_STEP - k) + to.y * k + THIN_STEP / 2) / THIN_STEP);
+        if (!pixel_shows_surface(film, surfels, capacity, between, i)) return false;
+    }
+    return true;
+}
+
 /// Surfels of the thin pixels about `pixel` on the surface of surfel i, at most 4, with their bilinear weights; returns how many.
 static inline int thin_neighbours(const ThinFilm *film, global const float *surfels, size_t capacity, int2 pixel, int i, int *found,
                                   float *weights) {
@@ -43,7 +60,7 @@ static inline int thin_neighbours(const ThinFilm *film, global const float *surf
         if (weight == 0.0f || at.x >= film->width || at.y >= film->height) continue;
         int other = at.y * film->width + at.x, surfel = film->first_surfel[other], end = surfel + (film->counts[other] & FILM_COUNT_MASK);
         while (surfel < end && !on_one_surface(surfels, capacity, i, surfel)) ++surfel;
-        if (surfel == end) continue;
+        if (surfel == end || !surface_goes_on(film, surfels, capacity, pixel, at, i)) continue;
         found[count] = surfel;
         weights[count++] = weight;
     }

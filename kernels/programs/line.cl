@@ -1,5 +1,6 @@
 // Line projection. Kernels that are built together, since a program costs more than a kernel.
 
+#include "add_radiance.cl"
 #include "estimate_density.cl"
 #include "find_enclosing.cl"
 #include "find_sides.cl"

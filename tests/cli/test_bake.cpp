@@ -42,6 +42,10 @@ TEST(Walk, WritesAnImageForEachView) {
         EXPECT_EQ(result.code, 3);
         EXPECT_NE(result.err.find(what), std::string::npos) << result.err;
     };
+    const RunResult over = run_pencil({"walk", scene, "--field", (folder / "image-0001.exr").string(), "--views",
+                                       (folder / "views.txt").string(), "-o", (folder / "image.exr").string()});
+    EXPECT_EQ(over.code, 6);
+    EXPECT_NE(over.err.find("image-0001.exr: it is read"), std::string::npos) << over.err;
     refused("0,0,3,0,0\n", "views.txt:1: 5 numbers where 6 or 9 are expected");
     refused("\n0,0,3,0,0,x\n", "views.txt:2");
     refused("0,0,3,0,0,3\n", "cannot look at where it stands");

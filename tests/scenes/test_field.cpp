@@ -167,6 +167,35 @@ TEST(Field, AThinFilmShowsTheSame) {
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(ratio[c], 1.0, 3e-3);
 }
 
+TEST(Field, HoldsNoEmission) {
+    const Scene scene = lit_wall_box();
+    RenderOptions options = field_options();
+    options.method = MethodName::line;
+    options.weights = Weights::voronoi;
+    options.initial = Initial::emission;
+    options.iterate = Iterate::levels;
+    options.pencils = 64;
+    const RenderResult made = render(scene, options, device());
+    ASSERT_TRUE(made.field);
+    options.keep_field = false;
+    const dvec3 direct = mean_of_all(render(scene, options, device()).layers.front().pixels);
+    options.field = made.field;
+    options.iterate = Iterate::sets;
+    const dvec3 ratio = mean_of_all(render(scene, options, device()).layers.front().pixels) / direct;
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(ratio[c], 1.0, 0.02) << "direct light twice is 1.4";
+}
+
+TEST(Field, IsShownWhereTheSceneHasNoLight) {
+    Scene scene = coloured_room();
+    const RenderResult made = render(scene, field_options(), device());
+    scene.point_lights.clear();
+    RenderSession session(scene, shown_by(made, MethodName::line, false), device());
+    while (session.advance()) {
+    }
+    EXPECT_GT(mean_of_all(session.snapshot().front().pixels).x, 0.0);
+    EXPECT_NO_THROW(session.look(scene.sensor));
+}
+
 TEST(Field, HasTheOrdersThatItWasMadeWith) {
     RenderOptions options = field_options();
     options.bounces = 3;
