@@ -8,10 +8,12 @@ is no part of the program, but can be measured again. Takes about 30 minutes wit
 
 import argparse
 import os
+import re
 import shutil
 import tempfile
 
 import numpy
+import OpenImageIO
 
 import line_methods
 
@@ -146,6 +148,32 @@ def changed_kernels(edits, folder):
     return kernels
 
 
+def print_termination(scene, folder, trials=400):
+    """Squared error that probabilistic termination adds: from an order on a bounce is made by the chance of its ratio q and counts 1 / q times."""
+    image = os.path.join(folder, "orders.exr")
+    line_methods.run(line_methods.PENCIL, "render", scene, "-o", image, "--method", "hybrid", "--resolution", "96x96", "--tolerance", "1e-4", "--quiet")
+    file = OpenImageIO.ImageInput.open(image)
+    names, pixels = file.spec().channelnames, file.read_image(OpenImageIO.FLOAT)
+    luminance = numpy.array([0.2126, 0.7152, 0.0722])
+    bounces = sorted((name[:-2] for name in names if re.fullmatch(r"(bounce|tail)\d+\.R", name)), key=lambda name: int(re.sub(r"\D", "", name)))
+    layers = [sum(w * pixels[..., names.index(f"{layer}.{c}")] for w, c in zip(luminance, "RGB")) for layer in bounces]
+    whole = sum(w * pixels[..., names.index(c)] for w, c in zip(luminance, "RGB"))
+    random = numpy.random.default_rng(1)
+    print("\n| terminated from order | relMSE that it adds | sets made |\n|---|---|---|")
+    for first in (2, 3, 4):
+        errors, made = [], []
+        for _ in range(trials):
+            lost, weight, count = numpy.zeros_like(whole), 1.0, 0
+            for k, layer in enumerate(layers):
+                chance = layer.mean() / layers[k - 1].mean() if k + 2 > first and weight > 0 else 1.0
+                weight = weight / chance if chance == 1.0 or random.random() < chance else 0.0
+                lost += (weight - 1.0) * layer
+                count += weight > 0
+            errors.append(numpy.mean(lost ** 2 / (whole ** 2 + 1e-2 * whole.mean() ** 2)))
+            made.append(count)
+        print(f"| {first + 1} | {numpy.mean(errors):.2g} | {numpy.mean(made):.1f} of {len(layers)} |")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("pencil")
@@ -172,6 +200,9 @@ def main():
                 front = red if scene_name == "cornell-box" else front
                 cells += f"{error:.2g} | {mean:.3f} | {seconds:.1f} | "
             print(f"| {name} | {cells}{front:.2f} |", flush=True)
+        os.environ.pop("PENCIL_KERNEL_DIR", None)
+        if options.only in "probabilistic termination":
+            print_termination(line_methods.truth("cornell-box", folder, options.reference_time)[0], folder)
 
 
 if __name__ == "__main__":
