@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <set>
+#include <thread>
 
 #include "cli/fixtures.h"
 #include "cli/run_program.h"
@@ -57,10 +58,10 @@ protected:
 TEST_P(Start, ProcessesBesideBuildWhatTheRenderNeedsAndASecondStartNothing) {
     const Built alone = render("alone", {"taskset", "-c", "0"});
     if (alone.programs.empty()) GTEST_SKIP() << "the device keeps no PoCL cache";
-    EXPECT_TRUE(said_);
+    EXPECT_FALSE(said_) << "one core has nobody to help";
     EXPECT_LE(alone.programs.size(), 4U) << "every program costs each start about 20 ms, and the first 100 ms";
     const Built together = render("together");
-    EXPECT_TRUE(said_);
+    EXPECT_TRUE(said_ || std::thread::hardware_concurrency() < 2);
     EXPECT_TRUE(together == alone) << together.code.size() << " kernels instead of " << alone.code.size();
     const Built again = render("together");
     EXPECT_TRUE(again == together);
