@@ -17,18 +17,6 @@ namespace {
 
 constexpr std::uintmax_t largest_file = std::uintmax_t{16} << 20;  // [bytes]
 constexpr std::size_t most_views = 100000;
-constexpr double largest_coordinate = 1e18;  // as in scenes
-
-std::vector<double> numbers_of(std::string_view text) {
-    std::vector<double> numbers;
-    for (const std::string_view word : tokens(text)) {
-        const std::optional<double> number = parse_number(word);
-        if (!number) throw std::invalid_argument(number_defect(word));
-        if (std::abs(*number) > largest_coordinate) throw std::invalid_argument(in_quotes(word) + " lies beyond 1e18");
-        numbers.push_back(*number);
-    }
-    return numbers;
-}
 
 glm::dvec3 vector_at(const std::vector<double>& numbers, std::size_t first) {
     return {numbers[first], numbers[first + 1], numbers[first + 2]};
@@ -61,7 +49,7 @@ std::vector<PerspectiveSensor> read_views(const std::filesystem::path& file, con
     std::vector<PerspectiveSensor> views;
     std::string line;
     for (std::size_t number = 1; std::getline(text, line); ++number) try {
-            const std::vector<double> numbers = numbers_of(line.substr(0, line.find('#')));
+            const std::vector<double> numbers = coordinates(tokens(std::string_view(line).substr(0, line.find('#'))));
             if (!numbers.empty()) views.push_back(view_of(numbers, sensor));
             if (views.size() > most_views) throw std::invalid_argument(fmt::format("more than {} views", most_views));
         } catch (const std::invalid_argument& error) {

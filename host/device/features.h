@@ -48,6 +48,8 @@ struct SureKernel {
     std::string name;
     std::size_t items = 1;
 };
+/// Items of a kernel that works on the texels of a set of pencils: there are more.
+constexpr std::size_t texels_of_set = 65536;
 
 /// Kernels of one render: the program cache with the render's specialisation.
 class Kernels {

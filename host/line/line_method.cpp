@@ -21,8 +21,6 @@ namespace {
 
 /// Surfels that no pencil sees are worth a warning above this share.
 constexpr std::size_t blind_share = 100;
-/// Of a set of pencils, for SureKernel: there are more.
-constexpr std::size_t texels_of_set = 65536;
 
 std::vector<SureKernel> sure_kernels(int form) {
     std::vector<SureKernel> sure{{"fold_hits", texels_of_set},

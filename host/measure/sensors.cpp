@@ -22,20 +22,7 @@ namespace {
 using Numbers = std::vector<double>;
 
 constexpr std::uintmax_t largest_file = std::uintmax_t{256} << 20;  // [bytes]
-constexpr double largest_coordinate = 1e18;                         // as in scenes
 constexpr std::size_t numbers_of_point = 6, numbers_of_grid = 11;
-
-/// All tokens as numbers. std::invalid_argument.
-Numbers numbers_of(const std::vector<std::string_view>& words) {
-    Numbers numbers;
-    for (const std::string_view word : words) {
-        const std::optional<double> number = parse_number(word);
-        if (!number) throw std::invalid_argument(number_defect(word));
-        if (std::abs(*number) > largest_coordinate) throw std::invalid_argument(in_quotes(word) + " lies beyond 1e18");
-        numbers.push_back(*number);
-    }
-    return numbers;
-}
 
 glm::dvec3 vector_at(const Numbers& numbers, std::size_t first) { return {numbers[first], numbers[first + 1], numbers[first + 2]}; }
 
@@ -66,7 +53,7 @@ SensorPoint point_of(const Numbers& n) {
 std::vector<SensorPoint> points_of_line(std::vector<std::string_view> words) {
     const bool grid = words.front() == "grid";
     if (grid) words.erase(words.begin());
-    const Numbers numbers = numbers_of(words);
+    const Numbers numbers = coordinates(words);
     if (numbers.size() != (grid ? numbers_of_grid : numbers_of_point))
         throw std::invalid_argument(fmt::format("{} numbers where {} are expected: {}", numbers.size(),
                                                 grid ? numbers_of_grid : numbers_of_point,
@@ -124,7 +111,7 @@ SensorGrid parse_grid(const std::string& text) {
         throw std::invalid_argument(in_quotes(text) + " is not origin;u;v;columns;rows, as in \"0,0,0.8;4,0,0;0,3,0;8;6\"");
     Numbers numbers;
     for (const std::string_view part : parts)
-        for (const double number : numbers_of(fields_of(part))) numbers.push_back(number);
+        for (const double number : coordinates(fields_of(part))) numbers.push_back(number);
     return grid_of(numbers);
 }
 

@@ -4,6 +4,7 @@
 
 #include "line/line_method.h"
 #include "surface/surface_method.h"
+#include "surface/surface_needs.h"
 
 namespace pencil {
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numeric>
+#include <stdexcept>
 
 namespace pencil {
 namespace {
@@ -145,6 +146,17 @@ std::string closest_name(const std::string& name, const std::vector<std::string>
         }
     }
     return best;
+}
+
+std::vector<double> coordinates(const std::vector<std::string_view>& words) {
+    std::vector<double> numbers;
+    for (const std::string_view word : words) {
+        const std::optional<double> number = parse_number(word);
+        if (!number) throw std::invalid_argument(number_defect(word));
+        if (std::abs(*number) > 1e18) throw std::invalid_argument(in_quotes(word) + " lies beyond 1e18");
+        numbers.push_back(*number);
+    }
+    return numbers;
 }
 
 }  // namespace pencil

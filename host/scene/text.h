@@ -26,6 +26,8 @@ std::optional<double> parse_number(std::string_view text);
 std::optional<long long> parse_integer(std::string_view text);
 /// Why parse_number refused `text`, with the text in it, for messages.
 std::string number_defect(std::string_view text);
+/// All words as coordinates, none beyond 1e18. std::invalid_argument.
+std::vector<double> coordinates(const std::vector<std::string_view>& words);
 
 /// The candidate closest to `name`, or empty if none is close.
 std::string closest_name(const std::string& name, const std::vector<std::string>& candidates);

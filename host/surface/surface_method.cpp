@@ -27,8 +27,6 @@ constexpr double rays_per_check = 32;
 constexpr double usual_check = 50, longest_check = 200;
 /// The same of sensors: they are measured, so much of the time goes into knowing how well.
 constexpr double sensor_rays_per_check = 4;
-/// Of a set of pencils, for SureKernel: there are more.
-constexpr std::size_t texels_of_set = 65536;
 /// Residual of reflections that float's rounding may leave at high albedos: no reason to warn.
 constexpr double least_residual = 1e-3;
 
@@ -49,37 +47,6 @@ std::vector<std::string> light_layers(const std::vector<std::string>& aovs) {
 }
 
 }  // namespace
-
-MethodNeeds surface_needs(const Scene& scene, const std::vector<LightForm>&, const RenderOptions& options) {
-    const auto pixels = static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
-    MethodNeeds needs;
-    needs.kernels = {{"sample_lights"},
-                     {"trace_hemispheres"},
-                     {"trace_checks"},
-                     {"place_surface_pencils"},
-                     {"measure_hemispheres"},
-                     {"link_surfels"},
-                     {"link_surfels", texels_of_set},
-                     {"emit_hemispheres", texels_of_set},
-                     {"sum_hemispheres"},
-                     {"transport_irradiance"},
-                     {"close_series"},
-                     {"approach_emitters"},
-                     {"project_surface_pencils", pixels},
-                     {"project_contacts"},
-                     {"limit_reuse", pixels},
-                     {"cover_film", pixels},
-                     {"smooth_irradiance", pixels},
-                     {"project_film_pencils", pixels}};
-    const bool lobes = std::any_of(scene.materials.begin(), scene.materials.end(), [](const SceneMaterial& material) {
-        return material.model != MATERIAL_DIFFUSE && material.model != MATERIAL_BLEND;
-    });
-    if (lobes)
-        for (const char* kernel : {"emit_chains", "add_reflections", "light_lobes", "follow_surfels"})
-            needs.kernels.push_back({kernel, pixels});
-    needs.hierarchy = needs.rays_for_visibility = needs.lobes = true;
-    return needs;
-}
 
 SurfaceMethod::SurfaceMethod(RenderContext& context)
     : context_(context), begun_(context.clock.seconds()), patience_(context.options.target_error), mean_(context) {

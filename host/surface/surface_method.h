@@ -16,9 +16,6 @@
 
 namespace pencil {
 
-/// Hierarchy and rays; no maps.
-MethodNeeds surface_needs(const Scene& scene, const std::vector<LightForm>& forms, const RenderOptions& options);
-
 /// Steps: one pass each, until time or the estimated error tell to stop. The image is the mean of the passes.
 class SurfaceMethod : public Method {
 public:

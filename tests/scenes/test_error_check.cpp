@@ -7,6 +7,7 @@
 #include "scenes/known_scenes.h"
 #include "scenes/scene_builder.h"
 #include "surface/surface_method.h"
+#include "surface/surface_needs.h"
 
 namespace {
 
