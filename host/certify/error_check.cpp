@@ -18,6 +18,8 @@ namespace {
 constexpr int most_paths = 128, least_pixels = 8;
 /// Of each pixel on average, from which on pixels are judged one by one.
 constexpr std::size_t many_looks = 3;
+/// Errors are seldom more than so many times the spread of passes.
+constexpr double usual_excess = 4;
 
 /// Mean and its standard error.
 struct Mean {
@@ -108,8 +110,10 @@ double join_errors(double spread, const CertifiedError& certified) {
     if (certified.points < 2) return spread;
     if (!std::isfinite(spread)) return std::max(certified.relmse, certified.standard_error);
     const double more = std::max(certified.relmse - spread, 0.0), square = more * more;
-    const double noise = certified.standard_error * certified.standard_error;
-    return spread + (square > 0 ? more * square / (square + noise) : 0.0);
+    // Errors far beyond the spread are rare, and chance is not where the check itself hardly knows: it has to stand out the more.
+    const double noise = certified.standard_error * certified.standard_error,
+                 doubt = 1 + (spread > 0 ? certified.standard_error / (usual_excess * spread) : 0.0);
+    return spread + (square > 0 ? more * square / (square + doubt * noise) : 0.0);
 }
 
 /// All that was looked at, by pixel.

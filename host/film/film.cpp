@@ -34,7 +34,8 @@ double film_bytes(double pixels, int samples) {
     return pixels * (samples + 1 + 4 + surfels_per_pixel * 4 * (SURFEL_FIELDS + 3 * layers_held) + 3 * 4);
 }
 
-Film::Film(Kernels& kernels, const DeviceScene& scene, const FilmCamera& camera, const ReconstructionFilter& filter, const Turn& turn)
+Film::Film(Kernels& kernels, const DeviceScene& scene, const FilmCamera& camera, const ReconstructionFilter& filter, const Turn& turn,
+           const std::vector<unsigned char>& split)
     : camera_(camera.camera), eye_(camera.eye), samples_(kernels.features().film_samples), strip_rows_(rows_per_strip(camera_, samples_)) {
     const auto& device = kernels.device();
     std::vector<glm::vec2> offsets = film_sample_offsets(samples_, turn.seed, turn.index);
@@ -48,6 +49,7 @@ Film::Film(Kernels& kernels, const DeviceScene& scene, const FilmCamera& camera,
     totals_ = Buffer<float>(device, table_.totals, "filter totals");
     slots_ = Buffer<unsigned char>(device, pixel_count(camera_) * static_cast<std::size_t>(samples_), "film sample slots");
     counts_ = Buffer<unsigned char>(device, pixel_count(camera_), "film surfel counts");
+    split_ = Buffer<unsigned char>(device, split.empty() ? std::vector<unsigned char>(1) : split, "pixels that are split");
     hits_ = Buffer<Hit>(device, static_cast<std::size_t>(strip_rows_) * static_cast<std::size_t>(camera_.width * samples_), "film hits");
     const bool one_strip = strip_rows_ == camera_.height;
     for (int row = 0; row < camera_.height; row += strip_rows_) {
@@ -66,6 +68,7 @@ Film::Film(Kernels& kernels, const DeviceScene& scene, const FilmCamera& camera,
         write_surfels(kernels, scene, row, rows, turn);
     }
     hits_ = Buffer<Hit>();
+    split_ = Buffer<unsigned char>();
 }
 
 Film::Film(Kernels& kernels, const Camera& camera, Receivers receivers)
@@ -105,7 +108,7 @@ void Film::see(Kernels& kernels, const DeviceScene& scene, int first_row, int ro
 
 void Film::classify(Kernels& kernels, const DeviceScene& scene, int first_row, int rows) {
     kernels.get("classify_film")
-        .args(strip(first_row, rows), scene.faces(), slots_, counts_)
+        .args(strip(first_row, rows), scene.faces(), split_, split_.size() > 1 ? 1 : 0, slots_, counts_)
         .run(static_cast<std::size_t>(rows) * static_cast<std::size_t>(camera_.width), "classify film samples");
 }
 

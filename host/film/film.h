@@ -21,8 +21,10 @@ struct FilmCamera {
 
 class Film {
 public:
-    /// Rasterises the scene for the camera and makes the surfels (launchers of classify_film, film_surfels).
-    Film(Kernels& kernels, const DeviceScene& scene, const FilmCamera& camera, const ReconstructionFilter& filter, const Turn& turn);
+    /// Rasterises the scene for the camera and makes the surfels (launchers of classify_film, film_surfels). `split`: not 0 for pixels whose
+    /// visibility samples have a surfel each; empty: none.
+    Film(Kernels& kernels, const DeviceScene& scene, const FilmCamera& camera, const ReconstructionFilter& filter, const Turn& turn,
+         const std::vector<unsigned char>& split = {});
 
     /// A row of pixels that show the receivers of a sensor each; `camera` has as many columns.
     Film(Kernels& kernels, const Camera& camera, Receivers receivers);
@@ -83,6 +85,7 @@ private:
     Buffer<glm::vec2> offsets_;
     Buffer<Hit> hits_;  // of one strip, released after construction
     Buffer<unsigned char> slots_, counts_, drawn_;
+    Buffer<unsigned char> split_;  // one value, if no pixel is split
     Buffer<int> first_surfel_;
     FilterTable table_;
     Buffer<float> weights_, totals_;  // of it

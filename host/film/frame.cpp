@@ -27,24 +27,25 @@ std::vector<LightReceiver> some_receivers(const Film& film) {
     return receivers;
 }
 
-std::unique_ptr<Film> make_film(RenderContext& context, const Turn& turn) {
+std::unique_ptr<Film> make_film(RenderContext& context, const Turn& turn, const std::vector<unsigned char>& split = {}) {
     Kernels& kernels = context.kernels;
     const FlatScene& flat = context.flat;
     if (!context.scene.sensor_points.empty())
         return std::make_unique<Film>(kernels, flat.camera, sensor_receivers(kernels, context.scene, flat, turn));
     auto film = std::make_unique<Film>(kernels, context.device_scene, FilmCamera{flat.camera, glm::vec3(flat.eye)},
-                                       context.scene.sensor.filter, turn);
+                                       context.scene.sensor.filter, turn, split);
     if (context.options.irradiance) film->receive(context.flat.materials);
     return film;
 }
 
 }  // namespace
 
-Frame::Frame(RenderContext& context, const std::vector<std::string>& aovs, int light_samples, int light_map, const Turn& turn)
+Frame::Frame(RenderContext& context, const std::vector<std::string>& aovs, int light_samples, int light_map, const Turn& turn,
+             const std::vector<unsigned char>& split)
     : context_(context), layers_(aovs) {
     Kernels& kernels = context.kernels;
     context.clock.run(
-        "film geometry", [&] { film_ = make_film(context, turn); });
+        "film geometry", [&] { film_ = make_film(context, turn, split); });
     context.clock.run(
         "light sample maps", [&] { make_lights(light_samples, light_map, turn); });
     context.clock.run("surface layers", [&] { layers_.add_surfaces(kernels, context.device_scene, context.flat, *film_); });

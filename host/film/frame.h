@@ -15,8 +15,9 @@ namespace pencil {
 
 class Frame {
 public:
-    /// Makes film geometry, light samples with their maps of width `light_map` (0: none), and the surface layers.
-    Frame(RenderContext& context, const std::vector<std::string>& aovs, int light_samples, int light_map, const Turn& turn);
+    /// Makes film geometry, light samples with their maps of width `light_map` (0: none), and the surface layers; `split`: Film's.
+    Frame(RenderContext& context, const std::vector<std::string>& aovs, int light_samples, int light_map, const Turn& turn,
+          const std::vector<unsigned char>& split = {});
 
     /// The film once more, from the camera that the scene has now; lights stay. outgoing() gets emission and the direct light of light samples.
     void look(const Turn& turn);

@@ -160,6 +160,26 @@ double LayerMean::mean_square_noise() const {
     return has_sets() ? std::max(noise, relative_mean([&](std::size_t i) { return variance_of_mean(of_set_, i); })) : noise;
 }
 
+std::vector<unsigned char> LayerMean::noisy_pixels(double times) const {
+    const std::size_t pixels = first_.size() / 3;
+    if (count_ < 2) return {};
+    const std::vector<float>& shown = mean_.front().pixels;
+    const double mean = std::accumulate(shown.begin(), shown.end(), 0.0) / static_cast<double>(shown.size());
+    std::vector<double> plain(pixels), relative(pixels);
+    for (std::size_t i = 0; i < 3 * pixels; ++i) {
+        const double variance = variance_of_mean(of_, i);
+        plain[i / 3] += variance;
+        relative[i / 3] += mean > 0 ? variance / relative_to(usual(i), mean) : 0;
+    }
+    std::vector<unsigned char> noisy(pixels);
+    for (const std::vector<double>* noise : {&plain, &relative}) {
+        const double limit = times * std::accumulate(noise->begin(), noise->end(), 0.0) / static_cast<double>(pixels);
+        for (std::size_t p = 0; p < pixels; ++p)
+            if ((*noise)[p] > limit) noisy[p] = 1;
+    }
+    return std::any_of(noisy.begin(), noisy.end(), [](unsigned char n) { return n != 0; }) ? noisy : std::vector<unsigned char>();
+}
+
 /// What the mean keeps of that if all generations err alike. Independence in shared_square and likeness here lie on either side of the
 /// truth: together they fit the scenes that were measured (docs/accuracy.md).
 double LayerMean::shared_square_error() const {

@@ -36,6 +36,9 @@ public:
     /// The part of it that the spread of the sequences shows.
     double mean_square_noise() const;
 
+    /// Per pixel, 1 where that or the noise of the mean of all pixels is so many times what it is on the average; empty if nowhere.
+    std::vector<unsigned char> noisy_pixels(double times) const;
+
     /// The layers of the mean; with two images or more a layer "error" follows: the estimated error of every beauty value. Leaves nothing
     /// behind.
     std::vector<Layer> take();

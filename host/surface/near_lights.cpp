@@ -10,8 +10,6 @@ namespace pencil {
 
 namespace {
 
-/// Width of the maps that lights look about with.
-constexpr int probe_map = 16;
 /// A light is near what is closer than this share of the spacing of pencils: from there on texels find what it lights.
 constexpr float near_share = 0.25F;
 /// Radius of the smallest sphere in distances of the light: three quarters of what a plane receives. Each further one is so many times as wide.
@@ -24,23 +22,6 @@ constexpr double usual_albedo = 0.5;
 constexpr float least_cosine = 0.02F;
 
 }  // namespace
-
-SurfacePencils probes_of(const std::shared_ptr<Device>& device, const std::vector<glm::vec3>& lights) {
-    std::vector<SurfacePencil> probes;
-    for (const glm::vec3& light : lights)
-        for (const float side : {1.0F, -1.0F}) {
-            SurfacePencil probe{};
-            probe.position = float4(light, 0.0F);
-            probe.normal = probe.facing = {0, 0, side, 0};
-            probe.plane = -1;
-            probe.key = static_cast<uint>(probes.size());
-            probes.push_back(probe);
-        }
-    SurfacePencils pencils(device, static_cast<int>(probes.size()), probe_map);
-    pencils.data.write(probes);
-    pencils.count = static_cast<int>(probes.size());
-    return pencils;
-}
 
 std::vector<Spot> near_light_spots(const std::vector<LightHit>& hits, float reach) {
     const auto closer = [](const LightHit& a, const LightHit& b) { return a.distance < b.distance; };
@@ -60,27 +41,33 @@ std::vector<Spot> near_light_spots(const std::vector<LightHit>& hits, float reac
     return spots;
 }
 
-std::vector<Spot> near_light_spots(const std::vector<glm::vec3>& lights, const Surfels& met, const Buffer<float>& radiance, float reach,
+std::vector<Spot> near_light_spots(const std::vector<SmallLight>& lights, const Surfels& met, const Buffer<float>& radiance, float reach,
                                    double power) {
     const auto count = static_cast<std::size_t>(met.count), capacity = static_cast<std::size_t>(met.capacity);
     const std::vector<float> s = met.data.read_rows(0, capacity, SURFEL_NZ + 1, count), rgb = radiance.read_rows(0, capacity, 3, count);
-    const std::size_t each = 2 * probe_map * probe_map;
+    constexpr std::size_t each = probe_map * probe_map;
     std::vector<Spot> spots;
     double reflected = 0;
-    for (std::size_t light = 0; light < lights.size(); ++light) {
+    std::size_t probe = 0;
+    for (const SmallLight& light : lights) {
         std::vector<LightHit> hits;
-        for (std::size_t i = light * each; i < (light + 1) * each; ++i) {
-            const glm::vec3 position(s[i], s[count + i], s[2 * count + i]), normal(s[3 * count + i], s[4 * count + i], s[5 * count + i]);
-            const float sum = rgb[i] + rgb[count + i] + rgb[2 * count + i];
-            const glm::vec3 step = position - lights[light];
-            const float distance = glm::length(step);
-            if (!(glm::dot(normal, normal) > 0) || !(distance > 0) || !std::isfinite(sum)) continue;
-            // The texel's part of the sphere, and of the surface.
-            const float up = std::max(std::abs(step.z) / distance, least_cosine),
-                        lean = std::max(std::abs(glm::dot(step, normal)) / distance, least_cosine);
-            const double area = pi / (probe_map * probe_map) / static_cast<double>(up * lean) * static_cast<double>(distance * distance);
-            hits.push_back({position, distance, pi * area * static_cast<double>(std::max(sum, 0.0F))});
-        }
+        // Two probes of a point see each surface once, all of a lamp as often as there are.
+        const double views = light.extent > 0 ? static_cast<double>(light.places.size()) : 1;
+        for (std::size_t k = 0; k < light.places.size(); ++k, ++probe)
+            for (std::size_t i = probe * each; i < (probe + 1) * each; ++i) {
+                const glm::vec3 position(s[i], s[count + i], s[2 * count + i]),
+                    normal(s[3 * count + i], s[4 * count + i], s[5 * count + i]);
+                const float sum = rgb[i] + rgb[count + i] + rgb[2 * count + i];
+                const glm::vec3 step = position - light.places[k];
+                const float distance = glm::length(step);
+                if (!(glm::dot(normal, normal) > 0) || !(distance > 0) || !std::isfinite(sum)) continue;
+                // The texel's part of the sphere, and of the surface.
+                const float up = std::max(glm::dot(step, light.normals[k]) / distance, least_cosine),
+                            lean = std::max(std::abs(glm::dot(step, normal)) / distance, least_cosine);
+                const double area = pi / each / static_cast<double>(up * lean) * static_cast<double>(distance * distance);
+                hits.push_back({position, distance, pi * area * static_cast<double>(std::max(sum, 0.0F)) / views});
+            }
+        if (light.extent > reach) continue;
         for (const Spot& spot : near_light_spots(hits, reach)) {
             spots.push_back(spot);
             reflected += static_cast<double>(spot.weight);

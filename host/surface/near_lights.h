@@ -1,17 +1,13 @@
 // Bright spots before which a light stands so close that rays in all directions do not find them: lamps on walls, bulbs in shades. A light looks
-// around for them itself.
+// about for them itself (small_lights.h).
 #pragma once
 
-#include <memory>
 #include <vector>
 
+#include "surface/small_lights.h"
 #include "surface/spots.h"
-#include "surface/surface_pencils.h"
 
 namespace pencil {
-
-/// Pencils that look about from these places [scene units]: two for each, back to back.
-SurfacePencils probes_of(const std::shared_ptr<Device>& device, const std::vector<glm::vec3>& lights);
 
 /// What a ray from a light meets.
 struct LightHit {
@@ -25,8 +21,8 @@ struct LightHit {
 std::vector<Spot> near_light_spots(const std::vector<LightHit>& hits, float reach);
 
 /// The spots of all lights from what their probes met, which sends `radiance` [3][capacity]; `power`: of all light [W]. Those that reflect next to
-/// nothing of it are left out; weight: share of what all reflect.
-std::vector<Spot> near_light_spots(const std::vector<glm::vec3>& lights, const Surfels& met, const Buffer<float>& radiance, float reach,
+/// nothing of it are left out, and so are lights wider than `reach`; weight: share of what all reflect.
+std::vector<Spot> near_light_spots(const std::vector<SmallLight>& lights, const Surfels& met, const Buffer<float>& radiance, float reach,
                                    double power);
 
 }  // namespace pencil

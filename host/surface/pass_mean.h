@@ -35,6 +35,8 @@ public:
     /// Estimated relative variances of a pixel, and of the mean of all, in one pass; 0 before there are two.
     double noise_of_pixels() const { return mean_.count() > 1 ? mean_.mean_square_noise() * mean_.count() : 0; }
     double noise_of_mean() const;
+    /// Per pixel, not 0 where a pass is to look closer: there most of the noise comes from.
+    std::vector<unsigned char> noisy_pixels() const { return mean_.noisy_pixels(16); }
 
     /// The layers as they are shown, with the error of the beauty; needs a pass. take() leaves nothing behind.
     std::vector<Layer> snapshot() const;

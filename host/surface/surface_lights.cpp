@@ -9,27 +9,12 @@ namespace pencil {
 
 namespace {
 
-/// Point lights that look for surfaces near them.
-constexpr std::size_t most_probes = 32;
-
 /// `fewer`: of so many samples one is drawn.
 LobeLights lobe_lights(const RenderContext& context, const std::shared_ptr<Device>& device, const std::vector<LightSample>& samples,
                        double fewer) {
     const auto is_sky = [](const LightSample& s) { return s.position.w == LIGHT_INFINITE && s.normal.w > 0; };
     const auto sky = static_cast<double>(std::count_if(samples.begin(), samples.end(), is_sky));
     return {Buffer<float>(device, near_areas(context.flat, samples, fewer), "near areas of emitters"), static_cast<float>(sky / fewer)};
-}
-
-/// Places of the point lights that look for bright spots near them: the strongest.
-std::vector<glm::vec3> point_lights(std::vector<LightSample> samples) {
-    const auto is_no_point = [](const LightSample& s) { return s.position.w == LIGHT_AREA || s.position.w == LIGHT_INFINITE; };
-    samples.erase(std::remove_if(samples.begin(), samples.end(), is_no_point), samples.end());
-    const auto strength = [](const LightSample& s) { return s.emission.x + s.emission.y + s.emission.z; };
-    std::stable_sort(samples.begin(), samples.end(), [&](const LightSample& a, const LightSample& b) { return strength(a) > strength(b); });
-    samples.resize(std::min(samples.size(), most_probes));
-    std::vector<glm::vec3> places;
-    for (const LightSample& s : samples) places.emplace_back(s.position);
-    return places;
 }
 
 /// About, rgb together [W]: of lamps that are near.
@@ -57,7 +42,7 @@ SurfaceLights surface_lights(const RenderContext& context, const std::shared_ptr
             lobe_lights(context, device, of_film, fewer_lights(pass, static_cast<int>(of_film.size()))),
             lobe_lights(context, device, samples, of_all / pass.world.light_draws),
             lobe_lights(context, device, samples, of_all / chain_draws),
-            point_lights(samples),
+            small_lights(context, samples),
             power_of(samples)};
 }
 

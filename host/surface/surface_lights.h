@@ -1,13 +1,13 @@
 // What lights surface pencils: light samples, and what is known of them beforehand.
 #pragma once
 
-#include <glm/vec3.hpp>
 #include <vector>
 
 #include "device/pencil_set.h"
 #include "film/render_context.h"
 #include "pencils/light_samples.h"
 #include "surface/follow_surfels.h"
+#include "surface/small_lights.h"
 
 namespace pencil {
 
@@ -24,7 +24,7 @@ struct SurfaceLights {
     LobeLights film;                // the film's samples as surfels with lobes draw them,
     LobeLights drawn;               // the texels' as texels do: few of all,
     LobeLights chains;              // and as chains of the film do: some more
-    std::vector<glm::vec3> points;  // places of point lights, those that matter most [scene units]
+    std::vector<SmallLight> small;  // that may stand close to surfaces
     double power = 0;               // of all light samples, rgb together [W]
 };
 

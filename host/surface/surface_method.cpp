@@ -119,12 +119,13 @@ bool SurfaceMethod::be_thrifty(const MemoryError& error) {
 }
 
 void SurfaceMethod::begin_frame(int index, const SurfacePass& pass, const std::vector<std::string>& aovs) {
-    frame_ = std::make_unique<Frame>(context_, aovs, pass.light_samples, 0, turn(index));
+    frame_ = std::make_unique<Frame>(context_, aovs, pass.light_samples, 0, turn(index), course_.split);
 }
 
 /// Half a pass is worth nothing beside whole ones: only whole ones join the mean. False if nothing can be added to the direct light.
 bool SurfaceMethod::add_pass(const SurfacePass& pass) {
     const std::vector<std::string>& aovs = context_.options.aovs;
+    course_.split = mean_.noisy_pixels();
     begin_frame(course_.index, pass, course_.index == 0 ? aovs : light_layers(aovs));
     const Turn now = turn(course_.index);
     const std::vector<float> emission = frame_->layers().beauty();
@@ -154,6 +155,7 @@ void SurfaceMethod::place_world(const SurfacePass& pass, const FilmPixels& pixel
     solver_ = nullptr;  // its memory first
     solver_ = std::make_unique<SurfaceSolver>(context_.kernels, context_.device_scene, std::move(lights), pass.world, context_.clock,
                                               static_cast<uint>(seed >> 32), context_.helpers);
+    solver_->know(course_.solver.spots);
     for (const auto& copy : context_.copies)
         if (copy->failure.empty())
             solver_->add_helper(*copy,
@@ -167,6 +169,7 @@ void SurfaceMethod::resume() {
     context_.clock.allow_stops();
     if (course_.world_set < 0 || course_.world_set != pass(course_.index).world_set) return;
     const SurfacePass placing = pass(course_.placed_by);
+    course_.split = course_.placed_split;
     begin_frame(course_.placed_by, placing, {});
     place_world(placing, FilmPixels(frame_->film()));
     solver_->resume(course_.solver);
@@ -181,6 +184,10 @@ void SurfaceMethod::transfer(Archive& archive) {
     if (!archive.reads()) return;
     Archive::expect(archive.remaining() == 0 && course_.index == mean_.count(), "there is more or less than a solve");
     Archive::expect(std::isfinite(seconds) && seconds >= 0, "time is none");
+    const Camera& film = context_.flat.camera;
+    Archive::expect(course_.placed_split.empty() ||
+                        course_.placed_split.size() == static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height),
+                    "pixels of another image are split");
     context_.clock.go_on_after(seconds);
     resume();
 }
@@ -219,6 +226,7 @@ void SurfaceMethod::add_bounces(const SurfacePass& pass, const Turn& turn) {
         course_.wish = pass.world.pencils;
         course_.spacing = solver_->spacing();
         course_.placed_by = course_.index;
+        course_.placed_split = course_.split;
         course_.world_set = pass.world_set;
         course_.pixel_noise = mean_.noise_of_pixels();
         course_.mean_noise = mean_.noise_of_mean();

@@ -58,12 +58,15 @@ SurfaceSolver::SurfaceSolver(Kernels& kernels, const DeviceScene& scene, Surface
       gatherer_(kernels, scene, lights_, quality.light_draws, chunk_surfels >> quality.thrift),
       team_(kernels, helpers) {}
 
-SurfaceSolver::Course SurfaceSolver::course() const { return {gathers_, spots_.has_value(), spots_ ? spots_->found : std::vector<Spot>()}; }
+SurfaceSolver::Course SurfaceSolver::course() const { return {gathers_, looked_, spots_.found}; }
 
 void SurfaceSolver::resume(const Course& course) {
     gathers_ = course.gathers;
-    if (course.looked_for_spots) spots_ = DeviceSpots(kernels_.device(), course.spots);
+    looked_ = course.looked_for_spots;
+    know(course.spots);
 }
+
+void SurfaceSolver::know(const std::vector<Spot>& spots) { spots_ = DeviceSpots(kernels_.device(), spots); }
 
 void SurfaceSolver::place(const SurfacePencils& seeds, float spacing) {
     clock_.run(
@@ -76,12 +79,20 @@ void SurfaceSolver::solve(int map, int orders, double tolerance, std::uint64_t s
     contacts_ = !limited_ || orders >= 3;
     if (!direct_ || world_.pencils().count == 0) return inform_team();  // film pencils see no reflections
     seed_ = static_cast<uint>(hash64(seed) >> 32);
+    const bool first = spots_.count == 0;
+    add_bounces(map, orders, tolerance, seed);
+    // What has been found is worth more than what it was found by.
+    if (first && has_spots() && world_.pencils().count > 0) add_bounces(map, orders, tolerance, hash64(seed));
+    inform_team();
+}
+
+/// One gather, and its bounces.
+void SurfaceSolver::add_bounces(int map, int orders, double tolerance, std::uint64_t seed) {
     clock_.run("world pencils", [&] { world_.gather(map, seed); });
     clock_.run("world bounces", [&] {
         iterate(orders, tolerance);
-        if (!spots_) look_for_spots();  // so few orders that the world set needs no light of the samples
+        if (!looked_) look_for_spots();  // so few orders that the world set needs no light of the samples
     });
-    inform_team();
 }
 
 /// Each draws other light samples.
@@ -107,7 +118,7 @@ void SurfaceSolver::gather(SurfacePencils& pencils, int first, int count, const 
 }
 
 GatherSource SurfaceSolver::source() const {
-    return {world_.pencils(), shorter_, world_.grid(), has_spots() ? &*spots_ : nullptr, direct_, contacts_};
+    return {world_.pencils(), shorter_, world_.grid(), has_spots() ? &spots_ : nullptr, direct_, contacts_};
 }
 
 void SurfaceSolver::add_helper(DeviceCopy& copy, const std::function<SurfaceLights()>& lights) {
@@ -122,23 +133,32 @@ void SurfaceSolver::inform_team() {
     const auto count = static_cast<std::size_t>(world.count);
     HostWorld solved{world.n, world.data.read(0, count), world.irradiance.read(0, count), {}, {}, direct_, contacts_};
     if (shorter_.allocated()) solved.shorter = shorter_.read(0, count);
-    if (has_spots()) solved.spots = spots_->found;
+    if (has_spots()) solved.spots = spots_.found;
     team_.take_world(solved);
 }
 
-bool SurfaceSolver::has_spots() const { return direct_ && spots_ && spots_->count > 0; }
+bool SurfaceSolver::has_spots() const { return direct_ && spots_.count > 0; }
 
 /// Bright spots among what the world set sees, where no bounce has looked for them.
 void SurfaceSolver::look_for_spots() {
-    spots_.emplace();
+    looked_ = true;
     if (lights_.samples.maps.count == 0) return;
     Buffer<float> outgoing = surfel_rgb(kernels_.device(), world_.surfels().capacity, "radiance to the world set");
     gatherer_.light(world_.surfels(), outgoing, seed_);
-    spots_ = spots_among(outgoing);
+    adopt(spots_among(outgoing));
+}
+
+/// Spots of this world set, and those of others that it has missed.
+void SurfaceSolver::adopt(const std::vector<Spot>& found) {
+    std::vector<Spot> all = found;
+    const auto holds = [](const Spot& a, const Spot& b) { return glm::distance(a.centre, b.centre) < a.radius; };
+    for (const Spot& old : spots_.found)
+        if (std::none_of(found.begin(), found.end(), [&](const Spot& s) { return holds(s, old) || holds(old, s); })) all.push_back(old);
+    know(all);
 }
 
 /// Among what the world set sees, which sends `outgoing`, and near lights.
-DeviceSpots SurfaceSolver::spots_among(const Buffer<float>& outgoing) {
+std::vector<Spot> SurfaceSolver::spots_among(const Buffer<float>& outgoing) {
     std::vector<Spot> spots = spots_near_lights();
     const auto known = [&](const Spot& found) {
         return std::any_of(spots.begin(), spots.end(), [&](const Spot& s) { return glm::distance(s.centre, found.centre) < s.radius; });
@@ -146,18 +166,18 @@ DeviceSpots SurfaceSolver::spots_among(const Buffer<float>& outgoing) {
     std::vector<Spot> found = find_spots(world_.surfels(), outgoing, spot_reach * world_.seen_distance());
     found.erase(std::remove_if(found.begin(), found.end(), known), found.end());
     spots.insert(spots.end(), found.begin(), found.end());
-    return {kernels_.device(), std::move(spots)};
+    return spots;
 }
 
 /// Where lights stand too close before surfaces for texels to find what they light.
 std::vector<Spot> SurfaceSolver::spots_near_lights() {
-    if (lights_.points.empty()) return {};
-    const SurfacePencils probes = probes_of(kernels_.device(), lights_.points);
+    if (lights_.small.empty()) return {};
+    const SurfacePencils probes = probes_of(kernels_.device(), lights_.small);
     Gathered met;
     gatherer_.reserve(met, probes.count * probes.texels());
     trace_hemispheres(kernels_, scene_, probes, 0, probes.count, {}, met.surfels);
     gatherer_.light(met.surfels, met.outgoing, seed_);
-    return near_light_spots(lights_.points, met.surfels, met.outgoing, near_reach * world_.seen_distance(), lights_.power);
+    return near_light_spots(lights_.small, met.surfels, met.outgoing, near_reach * world_.seen_distance(), lights_.power);
 }
 
 /// Irradiance of all pencils of the world set from emitters near them, or from reflected light of the light samples.
@@ -166,16 +186,20 @@ void SurfaceSolver::sum_light(bool emission, bool direct, Buffer<float4>& irradi
     Buffer<float> outgoing = surfel_rgb(kernels_.device(), world_.surfels().capacity, "radiance to the world set");
     if (emission) emit_hemispheres(kernels_, scene_, world_.surfels(), world_.starts(), 0, lights_.near_texel, outgoing);
     // Texels in which spots are found are not to count less where they found them: only the next ones share them with rays.
-    const bool guided = direct && has_spots();
+    const bool guided = direct && has_spots(), looks = direct && !looked_;
+    std::vector<Spot> found;
     if (direct) {
         gatherer_.light(world_.surfels(), outgoing, seed_);
-        if (!spots_) spots_ = spots_among(outgoing);
+        if (looks) found = spots_among(outgoing);
         if (guided)
-            share_hemispheres(kernels_, world_.starts(), 0, world_.starts().count, *spots_, world_.points(), outgoing,
+            share_hemispheres(kernels_, world_.starts(), 0, world_.starts().count, spots_, world_.points(), outgoing,
                               world_.surfels().capacity, world_.map());
     }
     sum_hemispheres(kernels_, outgoing, world_.surfels().capacity, 0, 0, pencils.count, world_.map(), irradiance);
     if (guided) sum_spots(irradiance);
+    if (!looks) return;
+    looked_ = true;
+    adopt(found);
 }
 
 /// Adds what the world set sees of bright spots: rays from where its texels look, whose mean is a pencil's.
@@ -187,7 +211,7 @@ void SurfaceSolver::sum_spots(Buffer<float4>& irradiance) {
     const std::uint64_t seed = next_seed();
     for (int at = 0; at < starts.count; at += chunk) {
         const int part = std::min(chunk, starts.count - at);
-        const Gatherer::Guided& guided = gatherer_.guide(*spots_, {world_.points(), Reach::own, seed}, starts, at, part, Keys::shared);
+        const Gatherer::Guided& guided = gatherer_.guide(spots_, {world_.points(), Reach::own, seed}, starts, at, part, Keys::shared);
         sum_guides(kernels_, guided.found.outgoing, guided.found.surfels.capacity, guided.factors, at, part, of_starts);
     }
     const std::vector<float4> guided = of_starts.read();

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 
 #include "device/pencil_set.h"
 #include "device/stage_clock.h"
@@ -57,6 +56,8 @@ public:
     Course course() const;
     /// Goes on as the solver of the same world set whose course this was.
     void resume(const Course& course);
+    /// Bright spots that other world sets of the scene have found: rays go to them from the first solve() on.
+    void know(const std::vector<Spot>& spots);
 
     const SurfacePencils& world() const { return world_.pencils(); }
     /// WorldSet's, after solve().
@@ -69,18 +70,20 @@ public:
     /// How the world's bounces were added up.
     const BounceSolve& bounces() const { return bounces_; }
     /// Bright spots that film pencils send rays of their own to.
-    int spots() const { return spots_ ? spots_->count : 0; }
+    int spots() const { return spots_.count; }
 
 private:
     void sum_light(bool emission, bool direct, Buffer<float4>& irradiance);
     std::uint64_t next_seed();
+    void add_bounces(int map, int orders, double tolerance, std::uint64_t seed);
     void iterate(int orders, double tolerance);
     void close_series(const BounceSeries& series, const Buffer<float4>& last);
     void solve_rest(const Buffer<float4>& last, double tolerance);
     GatherSource source() const;
     void inform_team();
     void look_for_spots();
-    DeviceSpots spots_among(const Buffer<float>& outgoing);
+    std::vector<Spot> spots_among(const Buffer<float>& outgoing);
+    void adopt(const std::vector<Spot>& found);
     std::vector<Spot> spots_near_lights();
     void sum_spots(Buffer<float4>& irradiance);
     bool has_spots() const;
@@ -94,7 +97,8 @@ private:
     WorldSet world_;
     Gatherer gatherer_;
     GatherTeam team_;
-    std::optional<DeviceSpots> spots_;
+    DeviceSpots spots_;
+    bool looked_ = false;        // this world set has looked for spots
     Buffer<float4> shorter_;     // irradiance of the world set up to one order less, if orders are limited
     bool direct_ = true;         // reflections of order 2 are part of the image
     bool contacts_ = true;       // and of order 3

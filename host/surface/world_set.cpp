@@ -49,6 +49,12 @@ constexpr const char* seen_name = "surfels that the world set sees";
 /// Step of the order in which surfels are visited: a prime, so that all are, and so far that neighbours come far apart.
 constexpr std::size_t visit_stride = 7919;
 
+float median_of(std::vector<float>& values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
 }  // namespace
 
 WorldSet::WorldSet(Kernels& kernels, const DeviceScene& scene, int wish, uint seed, const LobeLights& lights)
@@ -161,10 +167,14 @@ std::vector<WorldSet::SpacedPoint> WorldSet::by_spacing(int first, float width, 
 /// A spacing that keeps about `count` of the points, if there are as many.
 float WorldSet::spacing_for(std::size_t count, float guess) {
     double inverse = 0;
-    for (std::size_t i = 0; i < seen_.points().size(); ++i)
-        if (seen_.points()[i].albedo > 0) inverse += 1.0 / std::max(glm::distance(seen_.points()[i].position, seen_.viewer(i)), 1e-30F);
+    std::vector<float> distances;
+    for (std::size_t i = 0; i < seen_.points().size(); ++i) {
+        if (!(seen_.points()[i].albedo > 0)) continue;
+        distances.push_back(glm::distance(seen_.points()[i].position, seen_.viewer(i)));
+        inverse += 1.0 / std::max(distances.back(), 1e-30F);
+    }
     const float middle = static_cast<float>(static_cast<double>(seen_.points().size()) / std::max(inverse, 1e-30));
-    seen_distance_ = middle;
+    seen_distance_ = distances.empty() ? middle : median_of(distances);
     float spacing = std::min(guess > 0 ? std::max(guess, least_guess * middle) : first_guess * middle, widest);
     for (int k = 0; k < most_guesses; ++k) {
         PointThinner thinner(widest, alike);

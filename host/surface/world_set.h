@@ -23,7 +23,7 @@ public:
     void cover(const SurfacePencils& seeds, float spacing = 0);
     /// With which as many pencils as wished for lie on what is seen [scene units].
     float spacing() const { return spacing_; }
-    /// From which things are seen: the harmonic mean of all such distances [scene units].
+    /// From which things are seen: the median of all such distances [scene units]; a harmonic mean would be that of the closest contacts.
     float seen_distance() const { return seen_distance_; }
     /// What all pencils see, each from some of the points that read it; other seeds, other points. Maps of `map` x `map` texels.
     void gather(int map, std::uint64_t seed);

@@ -22,7 +22,8 @@ struct Classified {
 };
 
 /// `seed`, `shift`: of the samples that surfels take, 0: the middle ones.
-Classified classify(TestScene scene, const TestCamera& view, int samples, uint seed = 0, uint shift = 0) {
+Classified classify(TestScene scene, const TestCamera& view, int samples, uint seed = 0, uint shift = 0,
+                    const std::vector<unsigned char>& split = {}) {
     Kernels kernels = make_kernels(false, Weights::dpdf, 0, samples);
     scene.flat.to_film = view.to_film;
     const DeviceScene s(device(), scene.flat);
@@ -33,8 +34,9 @@ Classified classify(TestScene scene, const TestCamera& view, int samples, uint s
     Buffer<Hit> hits(device(), offsets.size() * pixels, "hits");
     rasterize_film(kernels, s, view.camera, positions, samples, 0, rows, hits);
     Buffer<unsigned char> slots(device(), offsets.size() * pixels, "slots"), counts(device(), pixels, "counts");
+    const Buffer<unsigned char> split_pixels(device(), split.empty() ? std::vector<unsigned char>(1) : split, "split pixels");
     kernels.get("classify_film")
-        .args(hits, view.camera, positions, samples, 0, rows, s.triangles, s.planes, slots, counts)
+        .args(hits, view.camera, positions, samples, 0, rows, s.triangles, s.planes, split_pixels, split.empty() ? 0 : 1, slots, counts)
         .run(pixels, "classify");
     std::vector<int> first;
     int next = 0;
@@ -127,6 +129,35 @@ TEST(ClassifyFilm, SurfelsOfManyImagesLieAtAllSamples) {
         for (const auto& [place, count] : places) EXPECT_EQ(count, images / samples);
     }
     EXPECT_GT(looked, 30);
+}
+
+/// Every sample of a split pixel that shows something has a surfel, and lies at it; the other pixels are as they were.
+TEST(ClassifyFilm, SplitPixelsHaveASurfelPerSample) {
+    constexpr int samples = 16;
+    const TestScene scene = soup_scene(125, 30);
+    const TestCamera view = make_camera({0.1, 0.2, -2.5}, {0, 0, 1}, {0, 1, 0}, 0.5, 17, 13);
+    std::vector<unsigned char> split(17 * 13);
+    for (std::size_t pixel = 0; pixel < split.size(); pixel += 3) split[pixel] = 1;
+    const Classified joined = classify(scene, view, samples, 3), c = classify(scene, view, samples, 3, 0, split);
+    int seen = 0;
+    for (std::size_t pixel = 0; pixel < split.size(); ++pixel) {
+        if (split[pixel] == 0) {
+            EXPECT_EQ(c.counts[pixel], joined.counts[pixel]);
+            continue;
+        }
+        int surfels = 0;
+        for (std::size_t s = 0; s < samples; ++s) {
+            const unsigned char slot = c.slots[pixel * samples + s];
+            EXPECT_EQ(slot == NO_SURFEL, joined.slots[pixel * samples + s] == NO_SURFEL);
+            if (slot == NO_SURFEL) continue;
+            EXPECT_EQ(slot, surfels) << "in the order of the samples";
+            EXPECT_EQ(c.drawn[static_cast<std::size_t>(c.first[pixel] + slot)], s);
+            ++surfels;
+        }
+        EXPECT_EQ(c.counts[pixel] & FILM_COUNT_MASK, surfels);
+        seen += surfels;
+    }
+    EXPECT_GT(seen, 200);
 }
 
 TEST(ClassifyFilm, InteriorPixelsHaveOneSurfel) {

@@ -133,4 +133,16 @@ inline Scene room_of_everything() {
     return scene;
 }
 
+/// Closed room of unit albedo 0.8 with a small cube for a lamp, `gap` below the ceiling that the camera looks up at.
+inline Scene room_with_near_lamp(double gap) {
+    const Surface white{glm::vec3(0.8F), glm::vec3(0.0F), false}, lamp{glm::vec3(0.0F), glm::vec3(100.0F), false};
+    Scene scene;
+    add_box(scene, {0, 0, 0}, {4, 3, 5}, white);
+    constexpr double side = 0.05;
+    const dvec3 low(2.6, 3 - gap - side, 2.3);
+    add_box(scene, low, low + side, lamp, false);
+    look_at(scene, {0.6, 1.2, 0.5}, {3.2, 2.7, 3.6}, {0, 1, 0}, 80.0, 32, 24);
+    return scene;
+}
+
 }  // namespace pencil::test

@@ -63,6 +63,8 @@ void expect_the_same_from_every_step(const Scene& scene) {
 
 TEST(Checkpoint, GoesOnAsIfItHadNeverStopped) { expect_the_same_from_every_step(cie_cube(0.5)); }
 
+TEST(Checkpoint, GoesOnWithSpotsAndSplitPixels) { expect_the_same_from_every_step(room_with_near_lamp(0.005)); }
+
 TEST(Checkpoint, GoesOnWithEveryKindOfLightAndMaterial) { expect_the_same_from_every_step(room_of_everything()); }
 
 /// Stopped after each step: nothing drifts.

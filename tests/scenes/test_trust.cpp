@@ -6,6 +6,7 @@
 #include "reference/path_tracer.h"
 #include "render/render_session.h"
 #include "scene/formats/load_scene.h"
+#include "scenes/known_scenes.h"
 #include "scenes/scene_builder.h"
 
 namespace {
@@ -97,6 +98,27 @@ TEST(TrustSpots, TakeNoLight) {
     }
     EXPECT_NEAR(first / expected, 1.0, 0.05);
     EXPECT_NEAR(fourth / expected, 1.0, 0.02);
+}
+
+/// What a lamp lights on the ceiling just above it is known from the first pass on, whatever the seed: without rays of their own to it means of
+/// passes vary by a sixth and more.
+TEST(TrustSpots, ALampUnderTheCeilingLooksForWhatItLights) {
+    const Scene scene = room_with_near_lamp(0.005);
+    RenderOptions options;
+    options.target_error = 1e-9;
+    options.aovs = {"bounces"};
+    constexpr int seeds = 10;
+    double sum = 0, squares = 0;
+    for (options.seed = 1; options.seed <= seeds; ++options.seed) {
+        RenderSession session(scene, options, device());
+        session.advance();
+        const double m = mean(layer(session.snapshot(), "indirect").pixels);
+        sum += m;
+        squares += m * m;
+    }
+    const double average = sum / seeds, deviation = std::sqrt(squares / seeds - average * average) / average;
+    std::printf("first passes vary by %.1f %%\n", 100 * deviation);
+    EXPECT_LT(deviation, 0.05);
 }
 
 /// The image hardly depends on how far the ground goes on.

@@ -120,6 +120,31 @@ TEST(LayerMean, SeesWhatGenerationsShare) {
     EXPECT_NEAR(estimate_with_shared_errors(4, 0.0, 0.2), 1.0, 0.1) << "nothing shared";
 }
 
+/// One of 100 pixels varies so much more that most of the noise is its own; a dark one varies little, but much for what it shows.
+TEST(LayerMean, NoisyPixelsStandOut) {
+    ref::Random random(7);
+    LayerMean mean;
+    for (int k = 0; k < 6; ++k) {
+        EXPECT_TRUE(k > 1 || mean.noisy_pixels(16).empty()) << "one image has no spread";
+        std::vector<Layer> layers = noisy(random, 300, 0.02);
+        for (std::size_t c = 0; c < 3; ++c) {
+            layers.front().pixels[3 * 40 + c] += static_cast<float>(k % 2);
+            layers.front().pixels[3 * 60 + c] = 0.3F * static_cast<float>(k % 2);
+        }
+        mean.add(layers, 1.0, 0);
+    }
+    const std::vector<unsigned char> found = mean.noisy_pixels(16);
+    ASSERT_EQ(found.size(), 100U);
+    for (std::size_t p = 0; p < found.size(); ++p) EXPECT_EQ(found[p] != 0, p == 40 || p == 60) << p;
+}
+
+TEST(LayerMean, NoPixelStandsOutOfEvenNoise) {
+    ref::Random random(8);
+    LayerMean mean;
+    for (int k = 0; k < 4; ++k) mean.add(noisy(random, 30000, 0.2), 1.0, 0);
+    EXPECT_TRUE(mean.noisy_pixels(16).empty());
+}
+
 TEST(LayerMean, BlackImagesHaveNoError) {
     LayerMean mean;
     for (int k = 0; k < 2; ++k) mean.add({Layer{"", 3, {0, 0, 0}}}, 1.0, 0);
