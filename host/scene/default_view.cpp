@@ -27,6 +27,15 @@ Box box_of(const Scene& scene) {
     return box;
 }
 
+/// Displays and eyes of models, say; lamps shine brighter than the white of a screen, or evenly.
+bool only_pictures_glow(const Scene& scene) {
+    if (scene.environment || !scene.point_lights.empty() || !scene.directional_lights.empty()) return false;
+    return std::none_of(scene.shapes.begin(), scene.shapes.end(), [](const Shape& shape) {
+        const float strongest = std::max({shape.radiance.x, shape.radiance.y, shape.radiance.z});
+        return shape.emits && shape.triangle_count > 0 && strongest > (shape.radiance_texture == no_texture ? 0.0F : 1.0F);
+    });
+}
+
 }  // namespace
 
 void frame_scene(Scene& scene) {
@@ -74,10 +83,11 @@ void complete_scene(Scene& scene, bool has_sensor, const std::string& where) {
         frame_scene(scene);
         scene.warnings.push_back(where + ": there is no camera; the view shows the whole scene from the front right and above");
     }
-    if (!has_light(scene)) {
-        scene.environment = default_sky();
-        scene.warnings.push_back(where + ": there is no light; a clear sky is added");
-    }
+    if (has_light(scene) && !only_pictures_glow(scene)) return;
+    const bool glows = has_light(scene);
+    scene.environment = default_sky();
+    scene.warnings.push_back(where + (glows ? ": only pictures on surfaces glow, and nothing else gives light; a clear sky is added"
+                                            : ": there is no light; a clear sky is added"));
 }
 
 }  // namespace pencil

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "scene/problems.h"
 #include "scene/text.h"
 #include "util/error.h"
 
@@ -13,15 +14,43 @@ namespace {
 
 fs::path or_here(const fs::path& folder) { return folder.empty() ? fs::path(".") : folder; }
 
-/// As written on Windows; drive letters and addresses lead nowhere here.
+constexpr std::size_t most_parts = 16;       // of a path that are tried
+constexpr std::size_t most_entries = 20000;  // of a folder that are looked at
+
+[[noreturn]] void refuse(const std::string& name, const std::string& where) {
+    throw SceneError(where, "file name " + in_quotes(name) + " is refused: give a path relative to the scene");
+}
+
+/// As written on Windows; addresses lead nowhere here.
 std::string portable(const std::string& name, const std::string& where) {
     if (name.empty()) throw SceneError(where, "the file name is empty");
     std::string path = name;
     std::replace(path.begin(), path.end(), '\\', '/');
-    const bool drive = path.size() > 1 && path[1] == ':' && std::isalpha(static_cast<unsigned char>(path[0])) != 0;
-    if (drive || path.find("://") != std::string::npos || path.find('\0') != std::string::npos)
-        throw SceneError(where, "file name " + in_quotes(name) + " is refused: give a path relative to the scene");
+    if (path.find("://") != std::string::npos || path.find('\0') != std::string::npos) refuse(name, where);
     return path;
+}
+
+bool has_drive(const std::string& path) {
+    return path.size() > 1 && path[1] == ':' && std::isalpha(static_cast<unsigned char>(path[0])) != 0;
+}
+
+std::string lower(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+/// What a path descends by.
+std::vector<std::string> parts_of(const fs::path& path) {
+    std::vector<std::string> parts;
+    for (const fs::path& part : path) {
+        const std::string name = part.string();
+        if (name == "..")
+            parts.clear();
+        else if (!name.empty() && name != "." && name != "/")
+            parts.push_back(name);
+    }
+    if (parts.size() > most_parts) parts.erase(parts.begin(), parts.end() - most_parts);
+    return parts;
 }
 
 [[noreturn]] void refuse(const std::string& name, const fs::path& file, const std::string& where) {
@@ -35,7 +64,8 @@ std::string portable(const std::string& name, const std::string& where) {
 
 }  // namespace
 
-FileSearch::FileSearch(const fs::path& folder, const std::vector<fs::path>& allowed) : scene_folder_(folder) {
+FileSearch::FileSearch(const fs::path& folder, const std::vector<fs::path>& allowed, Problems& problems)
+    : scene_folder_(folder), problems_(&problems) {
     std::vector<fs::path> folders{or_here(folder)};
     folders.insert(folders.end(), allowed.begin(), allowed.end());
     for (const fs::path& root : folders) {
@@ -58,23 +88,67 @@ bool FileSearch::is_allowed(const fs::path& file) const {
 
 fs::path FileSearch::find(const std::string& name, const fs::path& holder, const std::string& where) const {
     const fs::path path(portable(name, where));
-    std::vector<fs::path> candidates{holder / path};  // an absolute path replaces the folder
-    for (const fs::path& folder : folders_) candidates.push_back(folder / path);
-    candidates.push_back(scene_folder_ / path);
+    std::vector<fs::path> places{holder};
+    places.insert(places.end(), folders_.begin(), folders_.end());
+    places.push_back(scene_folder_);
+    std::vector<fs::path> candidates;
+    if (!has_drive(path.string()))
+        for (const fs::path& place : places) candidates.push_back(place / path);  // an absolute path replaces the folder
     const fs::path* found = nullptr;
     const fs::path* outside = nullptr;
+    bool is_outside = false;  // and not only named
     for (const fs::path& candidate : candidates) {
         std::error_code error;
         if (!is_allowed(candidate)) {
-            if (!outside || fs::exists(candidate, error)) outside = &candidate;
+            const bool exists = fs::exists(candidate, error);
+            if (!outside || exists) outside = &candidate;
+            is_outside = is_outside || exists;
         } else if (fs::exists(candidate, error)) {
             return candidate;
         } else if (!found) {
             found = &candidate;
         }
     }
+    const fs::path other = is_outside ? fs::path() : stand_in(path, places);
+    if (!other.empty()) {
+        problems_->approximate(where, in_quotes(name) + " is not there; " + in_quotes(other.string()) + " is read in its place");
+        return other;
+    }
     if (outside) refuse(name, *outside, where);
+    if (!found) refuse(name, where);
     return *found;
+}
+
+/// Scenes come from systems where case does not matter, and from folders of other machines: the more of the path fits, the better.
+fs::path FileSearch::stand_in(const fs::path& path, const std::vector<fs::path>& folders) const {
+    for (std::vector<std::string> parts = parts_of(path); !parts.empty(); parts.erase(parts.begin()))
+        for (const fs::path& folder : folders) {
+            fs::path found = alike(or_here(folder), parts);
+            if (!found.empty()) return found;
+        }
+    return {};
+}
+
+/// The file below `folder` by these names in any case.
+fs::path FileSearch::alike(fs::path folder, const std::vector<std::string>& parts) const {
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        std::error_code error;
+        if (!is_allowed(folder)) return {};
+        fs::path next = folder / parts[i];
+        if (!fs::exists(next, error)) {
+            next.clear();
+            const std::string wanted = lower(parts[i]);
+            std::size_t looked_at = 0;
+            for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::directory_iterator(); entry.increment(error)) {
+                if (++looked_at > most_entries) break;
+                if (lower(entry->path().filename().string()) == wanted && (next.empty() || entry->path() < next)) next = entry->path();
+            }
+            if (next.empty()) return {};
+        }
+        folder = std::move(next);
+    }
+    std::error_code error;
+    return is_allowed(folder) && fs::is_regular_file(folder, error) ? folder : fs::path();
 }
 
 }  // namespace pencil

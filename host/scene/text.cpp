@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <numeric>
 #include <stdexcept>
@@ -68,6 +69,57 @@ bool is_utf8(std::string_view text) {
     return true;
 }
 
+namespace {
+
+void append_utf8(std::string& text, std::uint32_t code) {
+    const auto byte = [&](std::uint32_t value) { text += static_cast<char>(value); };
+    if (code < 0x80) return byte(code);
+    if (code < 0x800) {
+        byte(0xC0 | code >> 6);
+    } else {
+        if (code < 0x10000) {
+            byte(0xE0 | code >> 12);
+        } else {
+            byte(0xF0 | code >> 18);
+            byte(0x80 | (code >> 12 & 0x3F));
+        }
+        byte(0x80 | (code >> 6 & 0x3F));
+    }
+    byte(0x80 | (code & 0x3F));
+}
+
+/// Without the mark. Half of a pair becomes a question mark.
+std::string from_utf16(std::string_view text, bool big_endian) {
+    const auto unit = [&](std::size_t at) -> std::uint32_t {
+        const auto first = static_cast<unsigned char>(text[at]), second = static_cast<unsigned char>(text[at + 1]);
+        return big_endian ? first * 256U + second : second * 256U + first;
+    };
+    std::string result;
+    for (std::size_t at = 2; at + 1 < text.size(); at += 2) {
+        std::uint32_t code = unit(at);
+        const bool opens_pair = code >= 0xD800 && code < 0xDC00 && at + 3 < text.size();
+        if (opens_pair && unit(at + 2) >= 0xDC00 && unit(at + 2) < 0xE000) {
+            code = 0x10000 + ((code - 0xD800) << 10) + (unit(at + 2) - 0xDC00);
+            at += 2;
+        } else if (code >= 0xD800 && code < 0xE000) {
+            code = '?';
+        }
+        append_utf8(result, code);
+    }
+    return result;
+}
+
+}  // namespace
+
+std::string as_utf8(std::string text) {
+    const std::string_view mark = std::string_view(text).substr(0, 2);
+    if (mark == "\xFF\xFE" || mark == "\xFE\xFF") return from_utf16(text, mark[0] == '\xFE');
+    if (is_utf8(text)) return text;
+    std::string result;
+    for (const char c : text) append_utf8(result, static_cast<unsigned char>(c));
+    return result;
+}
+
 std::string_view trimmed(std::string_view text) {
     const std::size_t first = text.find_first_not_of(blanks);
     if (first == std::string_view::npos) return {};
@@ -109,6 +161,14 @@ std::optional<long long> parse_integer(std::string_view text) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
     return value;
+}
+
+bool is_no_number(std::string_view text) {
+    const std::size_t first = text.find_first_not_of("+-");
+    if (first == std::string_view::npos) return false;
+    std::string word(text.substr(first));
+    for (char& c : word) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return word == "nan" || word.substr(0, 4) == "nan(" || word == "inf" || word == "infinity" || word.substr(0, 3) == "1.#";
 }
 
 std::string number_defect(std::string_view text) {

@@ -14,6 +14,8 @@ std::string escaped(std::string_view text, std::size_t limit = 80);
 std::string in_quotes(std::string_view text);
 
 bool is_utf8(std::string_view text);
+/// Text in UTF-16 with its mark, or else in Latin-1 where it is not UTF-8, as UTF-8.
+std::string as_utf8(std::string text);
 
 std::string_view trimmed(std::string_view text);
 /// The first line that is neither empty nor a comment after #, trimmed.
@@ -24,6 +26,8 @@ std::vector<std::string_view> tokens(std::string_view text);
 /// The whole of `text` as one finite decimal number, blanks around it allowed.
 std::optional<double> parse_number(std::string_view text);
 std::optional<long long> parse_integer(std::string_view text);
+/// True for what programs write for NaN and infinity: nan, -nan(ind), inf, 1.#QNAN.
+bool is_no_number(std::string_view text);
 /// Why parse_number refused `text`, with the text in it, for messages.
 std::string number_defect(std::string_view text);
 /// All words as coordinates, none beyond 1e18. std::invalid_argument.

@@ -42,8 +42,9 @@ TEST_F(BadScenes, TextThatIsNoScene) {
     expect_text_error("x", "scene.xml:1: this is not well-formed XML");
     expect_text_error("hello\nworld", "not well-formed XML");
     expect_text_error(std::string("\x89PNG\r\n\x1a\n\0\0\0", 11), "the format is PNG: an image is no scene");
-    expect_text_error(std::string("\xff\xfe<\0s\0", 6), "not UTF-8");
-    expect_text_error("<scene version=\"3.0.0\">\xc0\x80</scene>", "not UTF-8");
+    expect_text_error(std::string("\xff\xfe<\0s\0", 6), "scene.xml:1: this is not well-formed XML");  // UTF-16
+    expect_text_error("<scene version=\"3.0.0\">\xc0\x80</scene>", "unexpected text");
+    expect_text_error(std::string("<scene\0", 7), "binary data, not XML");
     expect_text_error("<mitsuba version=\"3.0.0\"/>", "scene.xml:1: the root element is <mitsuba>, not <scene>");
     expect_text_error("<scene version=\"3.0.0\"/>", "the scene has no sensor");
     expect_text_error("<scene version=\"3.0.0\"/><scene/>", "one root");
@@ -86,7 +87,7 @@ TEST_F(BadScenes, UnknownElements) {
     expect_error("<emitter type=\"area\"/>", 3, "must stand inside the shape");
     expect_error("<shape type=\"cube\">\n<bsdf type=\"diffuse\"/><bsdf type=\"diffuse\"/></shape>", 4, "more than one bsdf");
     expect_error("<shape type=\"cube\">\n<default name=\"a\" value=\"1\"/>text</shape>", 3, "unexpected text \"text\"");
-    expect_error("<float name=\"x\" value=\"1\"/>", 3, "cannot stand directly inside <scene>");
+    expect_error("<rgb name=\"x\" value=\"1\"/>", 3, "cannot stand directly inside <scene>");
     expect_error("<shape type=\"cube\"><float name=\"x\" value=\"1\">\n<float name=\"x\" value=\"1\"/></float></shape>", 4,
                  "cannot contain elements");
     expect_error("<shape type=\"cube\"><translate x=\"1\"/></shape>", 3, "<translate> cannot stand inside shape type \"cube\"");

@@ -136,6 +136,42 @@ TEST_F(GltfMaterials, Emission) {
     EXPECT_FALSE(scene.environment);
 }
 
+/// The older model: what is no metal keeps its diffuse colour, what reflects much and has no diffuse colour is a metal.
+TEST_F(GltfMaterials, SpecularAndGlossiness) {
+    const auto of = [&](const Json& content) { return scene_of({{"extensions", {{"KHR_materials_pbrSpecularGlossiness", content}}}}); };
+    const Scene plain = of({{"diffuseFactor", {0.8, 0.4, 0.2, 1}}, {"specularFactor", {0.04, 0.04, 0.04}}, {"glossinessFactor", 0.25}});
+    EXPECT_EQ(used(plain).model, MATERIAL_PRINCIPLED);
+    EXPECT_EQ(used(plain).principled.metallic, 0);
+    EXPECT_NEAR(used(plain).albedo.x, 0.8, 1e-3);
+    EXPECT_NEAR(used(plain).albedo.z, 0.2, 1e-3);
+    EXPECT_FLOAT_EQ(used(plain).alpha.x, 0.75F);
+    EXPECT_TRUE(plain.warnings.size() == 2) << "no camera, no light";
+    const Scene gold = of({{"diffuseFactor", {0, 0, 0, 1}}, {"specularFactor", {1, 0.8, 0.3}}});
+    EXPECT_NEAR(used(gold).principled.metallic, 1, 1e-3);
+    EXPECT_NEAR(used(gold).albedo.y, 0.8, 1e-3);
+    EXPECT_EQ(used(gold).alpha.x, 0);
+    EXPECT_NE(used(of({{"diffuseFactor", {1, 1, 1, 0.5}}})).model, MATERIAL_BLEND) << "opaque unless the material says BLEND";
+}
+
+TEST_F(GltfMaterials, SpecularAndGlossinessByPictures) {
+    GltfBuilder builder;
+    const int diffuse = texture(builder, png(2, 1, 4, {255, 0, 0, 255, 0, 0, 0, 255}));
+    const int specular = texture(builder, png(2, 1, 4, {0, 0, 0, 255, 255, 255, 255, 0}));
+    builder.material({{"extensions",
+                       {{"KHR_materials_pbrSpecularGlossiness",
+                         {{"diffuseTexture", {{"index", diffuse}}}, {"specularGlossinessTexture", {{"index", specular}}}}}}}});
+    const Scene scene = load(builder);
+    const SceneMaterial& material = used(scene);
+    EXPECT_NEAR(texel(scene, material.albedo_texture, 0).x, 1, 0.01);
+    EXPECT_NEAR(texel(scene, material.albedo_texture, 0).y, 0, 0.01);
+    EXPECT_NEAR(texel(scene, material.albedo_texture, 1).y, 1, 0.01);
+    EXPECT_EQ(material.principled.metallic, 1);
+    EXPECT_EQ(texel(scene, material.principled.metallic_texture, 0).x, 0);
+    EXPECT_NEAR(texel(scene, material.principled.metallic_texture, 1).x, 1, 0.01);
+    EXPECT_EQ(texel(scene, material.alpha_texture, 0).x, 0);
+    EXPECT_EQ(texel(scene, material.alpha_texture, 1).x, 1);
+}
+
 TEST_F(GltfMaterials, ThinAndSolidGlass) {
     const Json clear = {{"transmissionFactor", 1}},
                pbr = {{"metallicFactor", 0}, {"roughnessFactor", 0}, {"baseColorFactor", {0.5, 1, 1, 1}}};

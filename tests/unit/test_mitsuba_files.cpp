@@ -93,6 +93,34 @@ TEST_F(MitsubaFiles, OtherFoldersMustBeAllowed) {
     EXPECT_EQ(load_scene(own).triangles.size(), 1U);
 }
 
+/// Scenes come from systems where case does not matter, and with paths of their authors' machines.
+TEST_F(MitsubaFiles, FilesThatLieElsewhereThanNamedAreFound) {
+    write("Meshes/Wall.OBJ", triangle_obj);
+    for (const char* name : {"meshes/wall.obj", "C:\\Users\\me\\scene\\meshes\\wall.obj", "/home/me/no/such/Meshes/Wall.OBJ",
+                             "../MESHES/wall.obj", "scene/Meshes/Wall.OBJ"}) {
+        const Scene scene = load_body(obj(name));
+        EXPECT_EQ(scene.triangles.size(), 1U) << name;
+        EXPECT_TRUE(has_warning(scene, "is not there; ")) << name;
+    }
+    expect_approximation(obj("meshes/wall.obj"), 3, "is read in its place");
+    EXPECT_TRUE(load_body(obj("Meshes/Wall.OBJ")).warnings.empty());
+    EXPECT_NE(error_of_body(obj("wall.obj")).find("does not exist"), std::string::npos) << "no search of other folders";
+}
+
+/// Neither by a link nor by another case may a name lead outside.
+TEST_F(MitsubaFiles, StandInsLieInsideToo) {
+    const std::filesystem::path outside = write("out/secret.obj", triangle_obj);
+    const std::filesystem::path scene = write("in/scene.xml", in_scene(obj("Secret.OBJ")));
+    std::filesystem::create_symlink(outside, folder_ / "in" / "secret.obj");
+    std::filesystem::create_directory_symlink(folder_ / "out", folder_ / "in" / "sub");
+    EXPECT_THROW(load_scene(scene), SceneError);
+    write("in/scene.xml", in_scene(obj("SUB/SECRET.obj")));
+    EXPECT_THROW(load_scene(scene), SceneError);
+    write("in/scene.xml", in_scene(obj("../out/secret.obj")));
+    write("in/copy/secret.obj", triangle_obj);
+    EXPECT_THROW(load_scene(scene), SceneError) << "what exists outside is meant, and may be allowed";
+}
+
 TEST_F(MitsubaFiles, SerializedMeshes) {
     write("m.serialized", serialized(packed_mesh(1, true), packed_mesh(2, true)));
     const Scene scene = load_body(

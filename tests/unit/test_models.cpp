@@ -157,5 +157,21 @@ TEST_F(Models, DefectsOfLibrariesNameTheirLine) {
     EXPECT_TRUE(has_warning(scene, "m.mtl:2: \"x\" is not a number"));
 }
 
+TEST_F(Models, OneBadLineOfALibraryCostsNoMoreThanItself) {
+    const Scene scene = of_material("Ns nan\nNi\nKd 1 0 0\n");
+    EXPECT_EQ(scene.materials[0].albedo, glm::vec3(1, 0, 0));
+    EXPECT_TRUE(has_warning(scene, "m.mtl:2: \"nan\" is not a finite number; the line is left out"));
+    EXPECT_TRUE(has_warning(scene, "m.mtl:3: "));
+}
+
+/// A lamp lights a room; the display of a device does not.
+TEST_F(Models, OnlyPicturesThatGlowGetASky) {
+    write("white.ppm", "P3 1 1 255 255 255 255\n");
+    EXPECT_FALSE(of_material("Ke 1 1 1\n").environment);
+    EXPECT_TRUE(of_material("Ke 1 1 1\nmap_Ke white.ppm\n").environment);
+    EXPECT_TRUE(has_warning(of_material("Ke 1 1 1\nmap_Ke white.ppm\n"), "only pictures on surfaces glow"));
+    EXPECT_FALSE(of_material("Ke 5 5 5\nmap_Ke white.ppm\n").environment);
+}
+
 }  // namespace
 }  // namespace pencil::test

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "scene/gltf/gltf_container.h"
+#include "scene/gltf/gltf_values.h"
 #include "scene/scene_file.h"
 #include "scene/text.h"
 
@@ -11,16 +12,20 @@ namespace pencil {
 namespace {
 
 constexpr std::string_view supported_extensions =
-    "KHR_lights_punctual KHR_materials_clearcoat KHR_materials_emissive_strength KHR_materials_ior KHR_materials_sheen "
-    "KHR_materials_specular KHR_materials_transmission KHR_materials_unlit KHR_materials_volume KHR_mesh_quantization "
+    "KHR_lights_punctual KHR_materials_clearcoat KHR_materials_emissive_strength KHR_materials_ior KHR_materials_pbrSpecularGlossiness "
+    "KHR_materials_sheen KHR_materials_specular KHR_materials_transmission KHR_materials_unlit KHR_materials_volume KHR_mesh_quantization "
     "KHR_texture_transform";
+
+bool is_known(const std::string& extension) {
+    const std::vector<std::string_view> known = tokens(supported_extensions);
+    return std::find(known.begin(), known.end(), extension) != known.end();
+}
 
 /// How a scene can be had without the extension.
 std::string advice_on(const std::string& extension) {
     const auto contains = [&](const char* part) { return extension.find(part) != std::string::npos; };
     if (contains("draco") || contains("meshopt")) return "; export it without compression of meshes, or decompress it with gltf-transform";
     if (contains("basisu") || contains("webp") || contains("dds") || contains("avif")) return "; export it with textures in PNG or JPEG";
-    if (contains("pbrSpecularGlossiness")) return "; convert it with gltf-transform metalrough";
     return "";
 }
 
@@ -63,7 +68,7 @@ bool keep_image(tinygltf::Image* image, const int, std::string*, std::string*, i
 }  // namespace
 
 GltfFile::GltfFile(const std::filesystem::path& file, const LoadOptions& options)
-    : path_(file), search_(file.parent_path(), options.allowed), problems_(options.strict) {
+    : path_(file), problems_(options.strict), search_(file.parent_path(), options.allowed, problems_) {
     const std::string bytes = read_regular_file(file, max_mesh_bytes, shown(file));
     try {
         parse(bytes);
@@ -75,6 +80,7 @@ GltfFile::GltfFile(const std::filesystem::path& file, const LoadOptions& options
         fail("this is not well-formed glTF: " + escaped(error.what(), 200));
     }
     check_extensions();
+    take_specular_glossiness();
 }
 
 void GltfFile::parse(const std::string& bytes) {
@@ -88,17 +94,37 @@ void GltfFile::parse(const std::string& bytes) {
     const bool read = is_glb(bytes) ? parser.LoadBinaryFromMemory(&model_, &error, &warning,
                                                                   reinterpret_cast<const unsigned char*>(bytes.data()), size, "")
                                     : parser.LoadASCIIFromString(&model_, &error, &warning, bytes.data(), size, "");
-    if (!read) fail("this is not well-formed glTF: " + escaped(trimmed(error), 200));
+    if (!read) {
+        check_required_extensions();  // they explain much of what looks wrong
+        fail("this is not well-formed glTF: " + escaped(trimmed(error), 200));
+    }
     for (const std::string& message : {error, warning})
         if (!trimmed(message).empty()) warn(escaped(trimmed(message), 200));
-    if (model_.asset.version.substr(0, 2) != "2.") fail("glTF version " + in_quotes(model_.asset.version) + " is not supported; 2.0 is");
+    if (model_.asset.version.substr(0, 2) != "2.")
+        fail("glTF version " + in_quotes(model_.asset.version) + " is not supported; 2.0 is: convert it with gltf-pipeline or Blender");
+}
+
+/// The diffuse colour stands where the base colour does; the rest is left to those who read materials.
+void GltfFile::take_specular_glossiness() {
+    for (tinygltf::Material& material : model_.materials) {
+        const tinygltf::Value* glossy = find_extension(material.extensions, "KHR_materials_pbrSpecularGlossiness");
+        if (!glossy) continue;
+        tinygltf::PbrMetallicRoughness& pbr = material.pbrMetallicRoughness;
+        pbr.metallicRoughnessTexture = {};
+        pbr.metallicFactor = 0;
+        const glm::vec3 colour = colour_of(glossy, "diffuseFactor", glm::vec3(1.0F));
+        pbr.baseColorFactor = {colour.x, colour.y, colour.z, element_of(glossy, "diffuseFactor", 3, 1.0)};
+        pbr.baseColorTexture = texture_of(glossy, "diffuseTexture");
+    }
+}
+
+void GltfFile::check_required_extensions() const {
+    for (const std::string& name : model_.extensionsRequired)
+        if (!is_known(name)) fail("the required extension " + in_quotes(name) + " is not supported" + advice_on(name));
 }
 
 void GltfFile::check_extensions() {
-    const std::vector<std::string_view> known = tokens(supported_extensions);
-    const auto is_known = [&](const std::string& name) { return std::find(known.begin(), known.end(), name) != known.end(); };
-    for (const std::string& name : model_.extensionsRequired)
-        if (!is_known(name)) fail("the required extension " + in_quotes(name) + " is not supported" + advice_on(name));
+    check_required_extensions();
     for (const std::string& name : model_.extensionsUsed)
         if (!is_known(name)) approximate("extension " + in_quotes(name) + " is left out");
 }

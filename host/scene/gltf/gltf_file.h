@@ -40,12 +40,14 @@ public:
 
 private:
     void parse(const std::string& bytes);
+    void take_specular_glossiness();
+    void check_required_extensions() const;
     void check_extensions();
 
     std::filesystem::path path_;
     tinygltf::Model model_;
-    FileSearch search_;
     Problems problems_;
+    FileSearch search_;
 };
 
 /// "mesh 3 \"chair\"": kind, index and name, safe to print.

@@ -32,6 +32,17 @@ glm::dmat4 local_transform(const GltfFile& file, const tinygltf::Node& node, con
     return result;
 }
 
+constexpr std::size_t most_visits = 1'000'000;
+
+enum class State { unseen, inside, left };
+
+/// A node that is to be visited, below its parent's place, or one that is left when all below it has been.
+struct Open {
+    int node;
+    glm::dmat4 parent;
+    bool leaves = false;
+};
+
 /// Nodes that are no other's child.
 std::vector<int> roots_of(const tinygltf::Model& model) {
     std::vector<bool> is_child(model.nodes.size(), false);
@@ -46,25 +57,33 @@ std::vector<int> roots_of(const tinygltf::Model& model) {
 
 }  // namespace
 
-void visit_nodes(const GltfFile& file, const NodeVisitor& visit) {
+void visit_nodes(GltfFile& file, const NodeVisitor& visit) {
     const tinygltf::Model& model = file.model();
     const int scene = model.defaultScene >= 0 ? model.defaultScene : 0;
     const std::vector<int> roots =
         model.scenes.empty() && model.defaultScene < 0 ? roots_of(model) : file.at(model.scenes, scene, "scene", "the file").nodes;
-    std::vector<std::pair<int, glm::dmat4>> open;  // with the parent's place; a list and no recursion: chains may be long
-    for (auto root = roots.rbegin(); root != roots.rend(); ++root) open.emplace_back(*root, glm::dmat4(1.0));
-    std::vector<bool> seen(model.nodes.size(), false);
+    std::vector<Open> open;  // a list and no recursion: chains may be long
+    for (auto root = roots.rbegin(); root != roots.rend(); ++root) open.push_back({*root, glm::dmat4(1.0)});
+    std::vector<State> states(model.nodes.size(), State::unseen);
+    std::size_t visits = 0;
     while (!open.empty()) {
-        const auto [index, parent] = open.back();
+        const Open next = open.back();
         open.pop_back();
-        const tinygltf::Node& node = file.at(model.nodes, index, "node", "the scene");
-        const auto number = static_cast<std::size_t>(index);
+        if (next.leaves) {
+            states[static_cast<std::size_t>(next.node)] = State::left;
+            continue;
+        }
+        const tinygltf::Node& node = file.at(model.nodes, next.node, "node", "the scene");
+        const auto number = static_cast<std::size_t>(next.node);
         const std::string label = named("node", number, node.name);
-        if (seen[number]) file.fail(label + " is reached twice: nodes must form a tree");
-        seen[number] = true;
-        const glm::dmat4 to_world = parent * local_transform(file, node, label);
+        if (states[number] == State::inside) file.fail(label + " lies within itself");
+        if (states[number] == State::left) file.approximate(label + " has more than one parent, which glTF forbids: it is shown at each");
+        if (++visits > most_visits) file.fail("nodes are shown more than " + std::to_string(most_visits) + " times");
+        states[number] = State::inside;
+        const glm::dmat4 to_world = next.parent * local_transform(file, node, label);
         visit(number, to_world);
-        for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) open.emplace_back(*child, to_world);
+        open.push_back({next.node, to_world, true});
+        for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) open.push_back({*child, to_world});
     }
 }
 

@@ -12,7 +12,7 @@ namespace pencil {
 using NodeVisitor = std::function<void(std::size_t node, const glm::dmat4& to_world)>;
 
 /// Visits the nodes of the file's default scene, or of its first, or all if it has no scene: parents first, children in the file's order.
-/// SceneError for nodes that are reached twice, as in cycles.
-void visit_nodes(const GltfFile& file, const NodeVisitor& visit);
+/// A node below several others is visited at each; SceneError for one within itself.
+void visit_nodes(GltfFile& file, const NodeVisitor& visit);
 
 }  // namespace pencil

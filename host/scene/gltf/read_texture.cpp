@@ -74,6 +74,25 @@ int TextureReader::vertex_colours() {
     return vertex_colours_ = static_cast<int>(scene_.textures.size()) - 1;
 }
 
+int TextureReader::add_combined(int texture, int other, const std::string& change,
+                                const std::function<glm::vec4(const glm::vec4&, const glm::vec4&)>& changed) {
+    const glm::vec4 white(1.0F);
+    if (texture == no_texture) return add_changed(other, change, [&](const glm::vec4& texel) { return changed(white, texel); });
+    if (other == no_texture) return add_changed(texture, change, [&](const glm::vec4& texel) { return changed(texel, white); });
+    const Texture with = scene_.textures[static_cast<std::size_t>(other)];  // a copy: others are added
+    const int width = scene_.textures[static_cast<std::size_t>(texture)].width,
+              height = scene_.textures[static_cast<std::size_t>(texture)].height;
+    std::size_t number = 0;  // texels are asked for row by row
+    return add_changed(texture, change + " " + std::to_string(other), [&](const glm::vec4& texel) {
+        const std::size_t x = number % static_cast<std::size_t>(width), y = number / static_cast<std::size_t>(width);
+        ++number;
+        const std::size_t at =
+            y * static_cast<std::size_t>(with.height) / static_cast<std::size_t>(height) * static_cast<std::size_t>(with.width) +
+            x * static_cast<std::size_t>(with.width) / static_cast<std::size_t>(width);
+        return changed(texel, glm::unpackHalf(with.texels[at]));
+    });
+}
+
 int TextureReader::add_changed(int texture, const std::string& change, const std::function<glm::vec4(const glm::vec4&)>& changed) {
     const auto [place, is_new] = changed_.emplace(std::pair(texture, change), static_cast<int>(scene_.textures.size()));
     if (!is_new) return place->second;

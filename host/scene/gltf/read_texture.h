@@ -22,6 +22,11 @@ public:
     /// A copy of a texture with every texel changed; `change` names the change and its numbers.
     int add_changed(int texture, const std::string& change, const std::function<glm::vec4(const glm::vec4&)>& changed);
 
+    /// A texture laid out as `texture`, with every texel changed by that of `other` at the same place; either may be no_texture, which is white
+    /// everywhere, but not both.
+    int add_combined(int texture, int other, const std::string& change,
+                     const std::function<glm::vec4(const glm::vec4&, const glm::vec4&)>& changed);
+
     /// The texture of Scene::colours.
     int vertex_colours();
 

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "scene/gltf/gltf_values.h"
+#include "scene/gltf/specular_glossiness.h"
 
 namespace pencil {
 namespace {
@@ -46,15 +47,52 @@ SceneMaterial Scattering::reflecting() {
         file_.approximate(label_ + " is unlit, which no surface is; it is read as a diffuse one");
         return result;
     }
-    const tinygltf::PbrMetallicRoughness& pbr = material_.pbrMetallicRoughness;
     result.model = MATERIAL_PRINCIPLED;
+    result.eta = glm::vec3(static_cast<float>(effective_index()));
+    if (const tinygltf::Value* glossy = extension("KHR_materials_pbrSpecularGlossiness")) {
+        specular_glossiness(*glossy, result);
+        return result;
+    }
+    const tinygltf::PbrMetallicRoughness& pbr = material_.pbrMetallicRoughness;
     result.alpha = glm::vec2(unit(pbr.roughnessFactor));
     result.principled.metallic = unit(pbr.metallicFactor);
     if (result.alpha.x > 0) result.alpha_texture = texture(pbr.metallicRoughnessTexture, green_use, "roughness");
     if (result.principled.metallic > 0) result.principled.metallic_texture = texture(pbr.metallicRoughnessTexture, blue_use, "metallic");
-    result.eta = glm::vec3(static_cast<float>(effective_index()));
     coats(result);
     return result;
+}
+
+/// The base colour so far is the diffuse one.
+void Scattering::specular_glossiness(const tinygltf::Value& glossy, SceneMaterial& result) {
+    const glm::vec3 specular = glm::clamp(colour_of(&glossy, "specularFactor", glm::vec3(1.0F)), glm::vec3(0.0F), glm::vec3(1.0F));
+    const float gloss = unit(number_of(&glossy, "glossinessFactor", 1.0));
+    const int picture = texture(texture_of(&glossy, "specularGlossinessTexture"), colour_use, "specular");
+    const int diffuse_picture = result.albedo_texture;
+    const glm::vec3 diffuse = result.albedo;
+    if (picture == no_texture && diffuse_picture == no_texture) {
+        const BaseAndMetallic material = metallic_of_specular(diffuse, specular);
+        result.albedo = material.base;
+        result.principled.metallic = material.metallic;
+    } else {
+        const std::string change = label_ + " as metallic: ";
+        const auto converted = [=](const glm::vec4& d, const glm::vec4& s) {
+            return metallic_of_specular(glm::max(diffuse * glm::vec3(d), glm::vec3(0.0F)),
+                                        glm::max(specular * glm::vec3(s), glm::vec3(0.0F)));
+        };
+        result.albedo = glm::vec3(1.0F);
+        result.albedo_texture =
+            textures_.add_combined(diffuse_picture, picture, change + "base", [=](const glm::vec4& d, const glm::vec4& s) {
+                return glm::vec4(converted(d, s).base, diffuse_picture == no_texture ? 1.0F : d.w);
+            });
+        result.principled.metallic = 1;
+        result.principled.metallic_texture = textures_.add_combined(
+            diffuse_picture, picture, change + "metallic",
+            [=](const glm::vec4& d, const glm::vec4& s) { return glm::vec4(glm::vec3(converted(d, s).metallic), 1.0F); });
+    }
+    result.alpha = glm::vec2(picture == no_texture ? 1 - gloss : 1.0F);
+    if (picture != no_texture)
+        result.alpha_texture = textures_.add_changed(picture, "roughness of gloss times " + std::to_string(gloss),
+                                                     [=](const glm::vec4& s) { return glm::vec4(glm::vec3(1 - gloss * s.w), 1.0F); });
 }
 
 double Scattering::index_of_refraction() const {

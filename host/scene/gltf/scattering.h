@@ -29,6 +29,7 @@ private:
     const tinygltf::Value* extension(const char* name) const;
     int texture(const tinygltf::TextureInfo& info, const TextureUse& use, const char* what);
     void base_colour(SceneMaterial& result);
+    void specular_glossiness(const tinygltf::Value& glossy, SceneMaterial& result);
     void coats(SceneMaterial& result);
     void relief(SceneMaterial& result);
     double index_of_refraction() const;

@@ -1,4 +1,4 @@
-// Header lines end in LF or CRLF and hold blank-separated words. Counts are only read here; the reader holds them against the file's size.
+// Lines end in LF or CRLF, or in CR alone, as Rhino writes them, and hold blank-separated words. Counts are only read here; the reader holds them against the file's size.
 #include "scene/meshes/ply_header.h"
 
 #include <map>
@@ -23,6 +23,7 @@ public:
     HeaderParser(std::string_view bytes, const std::string& name) : bytes_(bytes), name_(name) {}
 
     PlyHeader parse() {
+        find_line_end();
         if (words() != std::vector<std::string_view>{"ply"}) fail("the first line is not \"ply\"");
         bool has_format = false;
         for (std::vector<std::string_view> line = words(); line.empty() || line[0] != "end_header"; line = words()) {
@@ -35,7 +36,7 @@ public:
             } else if (line[0] == "property") {
                 property(line);
             } else {
-                fail("unknown header word " + in_quotes(line[0]));
+                unknown(line[0]);
             }
         }
         if (!has_format) fail("the header has no format line");
@@ -45,9 +46,21 @@ public:
 private:
     [[noreturn]] void fail(const std::string& message) const { throw SceneError(name_ + ":" + std::to_string(header_.lines), message); }
 
+    /// The first line tells: later ones may be followed by bytes of any value.
+    void find_line_end() {
+        const std::size_t end = bytes_.substr(0, max_header_bytes).find_first_of("\r\n");
+        const bool is_mark = end != std::string_view::npos && bytes_[end] == '\r' && bytes_.substr(end + 1, 1) != "\n";
+        header_.line_end = is_mark ? '\r' : '\n';
+    }
+
+    /// Programs forget the word "comment".
+    void unknown(std::string_view word) {
+        if (header_.notes.empty()) header_.notes.push_back("header lines that begin with " + in_quotes(word) + " or the like are left out");
+    }
+
     std::vector<std::string_view> words() {
         ++header_.lines;
-        const std::size_t end = bytes_.substr(0, max_header_bytes).find('\n', header_.bytes);
+        const std::size_t end = bytes_.substr(0, max_header_bytes).find(header_.line_end, header_.bytes);
         if (end == std::string_view::npos)
             fail("the header has no line \"end_header\" in its first " + std::to_string(max_header_bytes) + " bytes");
         const std::string_view line = bytes_.substr(header_.bytes, end - header_.bytes);

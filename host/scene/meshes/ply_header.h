@@ -30,6 +30,8 @@ struct PlyHeader {
     std::vector<PlyElement> elements;
     std::size_t bytes = 0;  // up to and with the line "end_header"
     std::size_t lines = 0;
+    char line_end = '\n';            // of the header, and of a body of text; CRs before LFs are blanks
+    std::vector<std::string> notes;  // what was read over
 };
 
 std::size_t size_of(PlyType type);

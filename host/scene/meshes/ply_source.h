@@ -13,11 +13,11 @@
 
 namespace pencil {
 
-/// Numbers as text, one element per line.
+/// Numbers as text, one element per line. What programs write for the results of failed computations is NaN.
 class PlyText {
 public:
     PlyText(std::string_view bytes, const PlyHeader& header, const std::string& name)
-        : rest_(bytes.substr(header.bytes)), name_(name), line_(header.lines) {}
+        : rest_(bytes.substr(header.bytes)), name_(name), line_(header.lines), line_end_(header.line_end) {}
 
     static constexpr std::size_t least_bytes(PlyType) { return 2; }  // a digit and what separates it
     std::uint64_t left() const { return rest_.size() + 1; }          // the last separator may be missing
@@ -28,7 +28,7 @@ public:
         do {
             if (rest_.empty()) fail("the file ends too early");
             ++line_;
-            const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+            const std::size_t end = std::min(rest_.find(line_end_), rest_.size());
             row_ = trimmed(rest_.substr(0, end));
             rest_.remove_prefix(std::min(end + 1, rest_.size()));
         } while (row_.empty());
@@ -39,6 +39,7 @@ public:
         if (word.empty()) fail("the line has too few values");
         row_ = trimmed(row_.substr(end));
         const std::optional<double> value = parse_number(word);
+        if (!value && !is_integer(type) && is_no_number(word)) return std::nan("");
         if (!value) fail(number_defect(word));
         if (is_integer(type) && *value != std::floor(*value)) fail(in_quotes(word) + " is not an integer");
         return *value;
@@ -51,6 +52,7 @@ private:
     std::string_view rest_, row_;
     const std::string& name_;
     std::size_t line_;
+    char line_end_;
 };
 
 /// One value of type T at `bytes`, which need not be aligned.

@@ -35,6 +35,8 @@ struct CornerHash {
     }
 };
 
+bool is_nowhere(const glm::dvec3& p) { return std::isnan(p.x) || std::isnan(p.y) || std::isnan(p.z); }
+
 class ObjReader {
 public:
     ObjReader(std::string_view text, const std::string& name, bool as_scene) : text_(text), name_(name), as_scene_(as_scene) {}
@@ -49,11 +51,22 @@ public:
         if (!any_uv_) file_.mesh.uvs.clear();
         if (!any_colour_) file_.mesh.colours.clear();
         file_.mesh.smooth = !as_scene_;
-        if (bad_normals_ > 0) file_.mesh.notes.push_back(std::to_string(bad_normals_) + " normals that are no numbers are left out");
+        std::replace_if(file_.mesh.positions.begin(), file_.mesh.positions.end(), is_nowhere, glm::dvec3(0.0));  // of faces left out
+        tell_what_is_left_out();
         return std::move(file_);
     }
 
 private:
+    void tell_what_is_left_out() {
+        const auto tell = [&](std::size_t count, const char* what) {
+            if (count > 0) file_.mesh.notes.push_back(std::to_string(count) + what);
+        };
+        tell(bad_normals_, " normals that are no numbers are left out");
+        tell(thin_faces_, " faces of fewer than 3 corners are left out");
+        tell(lost_faces_, " faces with vertices that are nowhere (NaN or infinite) are left out");
+        tell(lacking_, " texture coordinates or normals that faces name and the file lacks are left out");
+    }
+
     [[noreturn]] void fail(const std::string& message) const { throw SceneError(name_ + ":" + std::to_string(line_), message); }
 
     /// Cuts the next blank-separated word off `rest`.
@@ -119,6 +132,7 @@ private:
         double values[7] = {};
         const int count = numbers("v", line, 3, 7, values);
         positions_.emplace_back(values[0], values[1], values[2]);
+        any_nowhere_ = any_nowhere_ || is_nowhere(positions_.back());
         if (!as_scene_ || count < 6) return;
         colours_.resize(positions_.size(), glm::vec3(1.0F));
         for (int k = 0; k < 3; ++k) colours_.back()[k] = linear_of_srgb(values[count - 3 + k]);
@@ -127,9 +141,6 @@ private:
     /// What is no number is no normal: zero.
     glm::dvec3 normal(std::string_view line) {
         const std::vector<std::string_view> words = tokens(line);
-        const auto is_no_number = [](std::string_view word) {
-            return word.find_first_of("nN") != std::string_view::npos && !parse_number(word);  // nan, inf, -nan(ind), 1.#INF
-        };
         if (words.size() >= 3 && std::any_of(words.begin(), words.begin() + 3, is_no_number)) {
             ++bad_normals_;
             return glm::dvec3(0.0);
@@ -146,14 +157,14 @@ private:
         return uv;
     }
 
-    /// Their count; so many are in `values`.
+    /// Their count; so many are in `values`, NaN for what is no number.
     int numbers(const char* keyword, std::string_view line, int at_least, int at_most, double* values) const {
         int count = 0;
         for (std::string_view word = next_word(line); !word.empty() && word[0] != '#'; word = next_word(line), ++count) {
             const std::optional<double> value = parse_number(word);
-            if (!value) fail(std::string(keyword) + ": " + number_defect(word));
+            if (!value && !is_no_number(word)) fail(std::string(keyword) + ": " + number_defect(word));
             if (count >= at_most) fail(std::string(keyword) + " has more than " + std::to_string(at_most) + " numbers");
-            values[count] = *value;
+            values[count] = value.value_or(std::numeric_limits<double>::quiet_NaN());
         }
         if (count < at_least) fail(std::string(keyword) + " has " + std::to_string(count) + " numbers, not " + std::to_string(at_least));
         return count;
@@ -163,7 +174,15 @@ private:
         polygon_.clear();
         for (std::string_view word = next_word(line); !word.empty() && word[0] != '#'; word = next_word(line))
             polygon_.push_back(vertex(word));
-        if (polygon_.size() < 3) fail("a face needs at least 3 corners, this one has " + std::to_string(polygon_.size()));
+        if (polygon_.size() < 3) {
+            ++thin_faces_;
+            return;
+        }
+        if (any_nowhere_ &&
+            std::any_of(polygon_.begin(), polygon_.end(), [&](std::uint32_t i) { return is_nowhere(file_.mesh.positions[i]); })) {
+            ++lost_faces_;
+            return;
+        }
         triangulate(polygon_, file_.mesh.positions, file_.mesh.triangles);
         if (file_.mesh.triangles.size() > max_triangles) fail("more than " + std::to_string(max_triangles) + " triangles");
         if (!as_scene_) return;
@@ -182,39 +201,47 @@ private:
             if (slash == std::string_view::npos) break;
             rest.remove_prefix(slash + 1);
         }
-        const std::size_t position = index(part[0], positions_.size(), "vertex", word);
-        const std::size_t uv = part[1].empty() ? 0 : index(part[1], uvs_.size(), "texture coordinate", word) + 1;
-        const std::size_t normal = part[2].empty() ? 0 : index(part[2], normals_.size(), "normal", word) + 1;
+        const std::size_t position = index(part[0], positions_.size(), word);
+        if (position == 0) {
+            fail("face corner " + in_quotes(word) + " names vertex " + std::string(part[0]) + ", but there are " +
+                 std::to_string(positions_.size()) + " so far");
+        }
+        const std::size_t uv = optional_index(part[1], uvs_.size(), word), normal = optional_index(part[2], normals_.size(), word);
         const std::size_t group = normal > 0 ? 0 : group_;
         Mesh& mesh = file_.mesh;
         const auto [place, is_new] =
-            vertices_.emplace(Corner{position, uv, normal, group}, static_cast<std::uint32_t>(mesh.positions.size()));
+            vertices_.emplace(Corner{position - 1, uv, normal, group}, static_cast<std::uint32_t>(mesh.positions.size()));
         if (is_new) {
-            mesh.positions.push_back(positions_[position]);
+            mesh.positions.push_back(positions_[position - 1]);
             mesh.normals.push_back(normal > 0 ? normals_[normal - 1] : glm::dvec3(0.0));
             mesh.uvs.push_back(uv > 0 ? uvs_[uv - 1] : glm::vec2(0.0F));
             if (as_scene_) {
-                mesh.colours.push_back(position < colours_.size() ? colours_[position] : glm::vec3(1.0F));
-                groups_.add_vertex(positions_[position], position, group);
+                mesh.colours.push_back(position <= colours_.size() ? colours_[position - 1] : glm::vec3(1.0F));
+                groups_.add_vertex(positions_[position - 1], position - 1, group);
             }
             any_normal_ = any_normal_ || normal > 0;
             any_uv_ = any_uv_ || uv > 0;
-            any_colour_ = any_colour_ || position < colours_.size();
+            any_colour_ = any_colour_ || position <= colours_.size();
         }
         return place->second;
     }
 
-    /// From 1, or from -1 backwards, to an index from 0.
-    std::size_t index(std::string_view digits, std::size_t count, const char* what, std::string_view word) const {
+    /// Files name what they lack where an exporter was told to write no normals, say: then 0, for none.
+    std::size_t optional_index(std::string_view digits, std::size_t count, std::string_view word) {
+        if (digits.empty()) return 0;
+        const std::size_t result = index(digits, count, word);
+        lacking_ += result == 0 ? 1 : 0;
+        return result;
+    }
+
+    /// From 1, or from -1 backwards, to an index from 1; 0 if there is no such thing.
+    std::size_t index(std::string_view digits, std::size_t count, std::string_view word) const {
         const std::optional<long long> value = parse_integer(digits);
         if (!value) fail("face corner " + in_quotes(word) + ": " + in_quotes(digits) + " is not an index");
         if (*value == 0) fail("face corner " + in_quotes(word) + ": indices start at 1");
         const auto n = static_cast<long long>(std::min<std::size_t>(count, std::numeric_limits<std::uint32_t>::max()));
-        if (*value > n || *value < -n) {
-            fail("face corner " + in_quotes(word) + " names " + what + " " + std::to_string(*value) + ", but there are " +
-                 std::to_string(n) + " so far");
-        }
-        return static_cast<std::size_t>(*value > 0 ? *value - 1 : n + *value);
+        if (*value > n || *value < -n) return 0;
+        return static_cast<std::size_t>(*value > 0 ? *value : n + *value + 1);
     }
 
     std::string_view text_;
@@ -227,10 +254,10 @@ private:
     std::unordered_map<Corner, std::uint32_t, CornerHash> vertices_;
     std::vector<std::uint32_t> polygon_;
     SmoothingGroups groups_;
-    std::size_t group_ = 0, bad_normals_ = 0;
+    std::size_t group_ = 0, bad_normals_ = 0, thin_faces_ = 0, lost_faces_ = 0, lacking_ = 0;
     std::map<std::string, std::uint32_t, std::less<>> materials_;
     std::uint32_t material_ = 0;
-    bool any_normal_ = false, any_uv_ = false, any_colour_ = false;
+    bool any_normal_ = false, any_uv_ = false, any_colour_ = false, any_nowhere_ = false;
     ObjFile file_;
 };
 

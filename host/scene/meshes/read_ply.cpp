@@ -37,6 +37,9 @@ public:
                 skip(element);
         }
         check_indices();
+        mesh_.notes.insert(mesh_.notes.end(), header_.notes.begin(), header_.notes.end());
+        if (thin_faces_ > 0) mesh_.notes.push_back(std::to_string(thin_faces_) + " faces of fewer than 3 corners are left out");
+        leave_out_bad_positions();
         if (bad_normals_ > 0) mesh_.notes.push_back(std::to_string(bad_normals_) + " normals that are not finite are left out");
         mesh_.smooth = true;
         return std::move(mesh_);
@@ -98,10 +101,10 @@ private:
             source_.begin_row();
             for (std::size_t p = 0; p < row.size(); ++p) row[p] = value(element.properties[p]);
             source_.end_row();
-            mesh_.positions.push_back(finite(row, position, "position", i));
+            mesh_.positions.push_back(finite_position(row, position));
             if (!normal.empty()) mesh_.normals.push_back(normal_of(row, normal));
             if (!colour.empty()) mesh_.colours.push_back(colour_of(row, colour, element));
-            if (!uv.empty()) mesh_.uvs.emplace_back(finite(row, uv, "texture coordinate", i));
+            if (!uv.empty()) mesh_.uvs.emplace_back(finite_uv(row, uv));
         }
     }
 
@@ -128,14 +131,33 @@ private:
         return result;
     }
 
-    /// The numbers of these columns, zero where there are fewer than three.
-    glm::dvec3 finite(const std::vector<double>& row, const std::vector<int>& from, const char* what, std::uint64_t i) const {
+    /// Zero, and remembered, where a number is not finite, as scanners write it for what they did not see.
+    glm::dvec3 finite_position(const std::vector<double>& row, const std::vector<int>& from) {
         glm::dvec3 result(0.0);
-        for (int c = 0; c < static_cast<int>(from.size()); ++c) {
-            result[c] = row[static_cast<std::size_t>(from[static_cast<std::size_t>(c)])];
-            if (!std::isfinite(result[c])) source_.fail("the " + std::string(what) + " of vertex " + std::to_string(i) + " is not finite");
+        for (int c = 0; c < 3; ++c) result[c] = row[static_cast<std::size_t>(from[static_cast<std::size_t>(c)])];
+        if (std::isfinite(result.x) && std::isfinite(result.y) && std::isfinite(result.z)) return result;
+        bad_positions_.push_back(static_cast<std::uint32_t>(mesh_.positions.size()));
+        return glm::dvec3(0.0);
+    }
+
+    static glm::vec2 finite_uv(const std::vector<double>& row, const std::vector<int>& from) {
+        glm::vec2 result(0.0F);
+        for (int c = 0; c < 2; ++c) {
+            const double value = row[static_cast<std::size_t>(from[static_cast<std::size_t>(c)])];
+            result[c] = std::isfinite(value) ? static_cast<float>(value) : 0.0F;
         }
         return result;
+    }
+
+    void leave_out_bad_positions() {
+        if (bad_positions_.empty()) return;
+        const auto is_bad = [&](std::uint32_t corner) { return std::binary_search(bad_positions_.begin(), bad_positions_.end(), corner); };
+        const std::size_t before = mesh_.triangles.size();
+        mesh_.triangles.erase(std::remove_if(mesh_.triangles.begin(), mesh_.triangles.end(),
+                                             [&](const glm::uvec3& t) { return is_bad(t.x) || is_bad(t.y) || is_bad(t.z); }),
+                              mesh_.triangles.end());
+        mesh_.notes.push_back(std::to_string(bad_positions_.size()) + " vertices are nowhere (NaN or infinite); the " +
+                              std::to_string(before - mesh_.triangles.size()) + " triangles that use them are left out");
     }
 
     void faces(const PlyElement& element) {
@@ -154,19 +176,19 @@ private:
             source_.begin_row();
             for (const PlyProperty& property : element.properties)
                 if (&property == &*list)
-                    strips ? strip(property) : face(property, i);
+                    strips ? strip(property) : face(property, "face " + std::to_string(i));
                 else
                     value(property);
             source_.end_row();
         }
     }
 
-    void face(const PlyProperty& property, std::uint64_t number) {
+    void face(const PlyProperty& property, const std::string& label) {
         const std::uint64_t corners = list_length(property);
-        if (corners < 3) source_.fail("face " + std::to_string(number) + " has " + std::to_string(corners) + " corners, fewer than 3");
+        thin_faces_ += corners < 3 ? 1 : 0;
         std::uint32_t first = 0, previous = 0;
         for (std::uint64_t c = 0; c < corners; ++c) {
-            const std::uint32_t corner = index(source_.read(property.type), "face " + std::to_string(number));
+            const std::uint32_t corner = index(source_.read(property.type), label);
             if (c == 0) first = corner;
             if (c >= 2) add_triangle(first, previous, corner);
             previous = corner;
@@ -242,7 +264,8 @@ private:
     const PlyHeader& header_;
     const std::string& name_;
     Mesh mesh_;
-    std::size_t bad_normals_ = 0;
+    std::size_t bad_normals_ = 0, thin_faces_ = 0;
+    std::vector<std::uint32_t> bad_positions_;  // ascending
 };
 
 }  // namespace

@@ -65,7 +65,11 @@ void Properties::add_parameter(pugi::xml_node child) {
     if (source_.is_undefined(child)) return;
     if (tag != "transform" && !child.attribute("type") && child.first_child())
         source_.fail(child.first_child(), "<" + tag + "> cannot contain elements");
-    if (!parameters_.emplace(name, child).second) source_.fail(child, "parameter " + in_quotes(name) + " is given twice in " + label());
+    if (parameters_.emplace(name, child).second) return;
+    const std::string twice = "parameter " + in_quotes(name) + " is given twice in " + label();
+    if (source_.version(child) >= 2) source_.fail(child, twice);
+    source_.approximate(child, twice + ": the last counts, as in Mitsuba 0.x");
+    parameters_[name] = child;
 }
 
 /// Motion stands still at its first moment.

@@ -48,6 +48,10 @@ private:
         if (tag == "emitter" || tag == "luminaire") return emitters_.read(node);
         if (tag == "medium" || tag == "volume" || tag == "phase") return;  // told where a shape or sensor uses it
         if (tag == "ref") return top_level(source_.find(node.attribute("id").value(), node));
+        const bool is_shared = tag == "film" || tag == "sampler" || tag == "rfilter";
+        if (is_shared && node.attribute("id")) return;  // for sensors that refer to it
+        const bool has_no_effect = is_shared || tag == "boolean" || tag == "integer" || tag == "float" || tag == "string";
+        if (has_no_effect) return source_.warn(node, "<" + tag + "> directly inside <scene> has no effect: ignored");
         source_.fail(node, "<" + tag + "> cannot stand directly inside <scene>");
     }
 

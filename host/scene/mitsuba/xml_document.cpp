@@ -15,14 +15,13 @@ constexpr std::ptrdiff_t max_elements = 1'000'000;
 }  // namespace
 
 XmlDocument::XmlDocument(const std::filesystem::path& file, const std::string& blamed) : file_(file) {
-    parse(read_regular_file(file, max_xml_bytes, blamed));
+    parse(as_utf8(read_regular_file(file, max_xml_bytes, blamed)));
 }
 
 void XmlDocument::parse(const std::string& text) {
     const std::string name = shown(file_);
     if (trimmed(text).empty()) throw SceneError(name, "the file is empty");
-    if (text.find('\0') != std::string::npos || !is_utf8(text))
-        throw SceneError(name, "this is not UTF-8 text; save the scene as UTF-8 XML");
+    if (text.find('\0') != std::string::npos) throw SceneError(name, "this is binary data, not XML");
     line_starts_.push_back(0);
     for (std::size_t i = 0; i < text.size(); ++i)
         if (text[i] == '\n') line_starts_.push_back(static_cast<std::ptrdiff_t>(i) + 1);

@@ -29,7 +29,7 @@ const std::set<std::string> parameters = {"boolean", "integer", "float", "spectr
 }  // namespace
 
 XmlSource::XmlSource(const std::filesystem::path& file, const LoadOptions& options)
-    : problems_(options.strict), search_(file.parent_path(), options.allowed), parameters_(options.defines) {
+    : problems_(options.strict), search_(file.parent_path(), options.allowed, problems_), parameters_(options.defines) {
     open(file, shown(file));
     for (const std::string& name : parameters_.unused())
         problems_.warn(shown(file), "the scene does not use $" + escaped(name) + ", the given value has no effect");

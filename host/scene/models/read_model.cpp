@@ -52,7 +52,7 @@ Mesh part_of(const Mesh& whole, const std::vector<std::uint32_t>& triangles, std
 class ModelReader {
 public:
     ModelReader(const std::filesystem::path& file, const LoadOptions& options)
-        : file_(file), where_(shown(file)), search_(file.parent_path(), options.allowed), problems_(options.strict) {
+        : file_(file), where_(shown(file)), problems_(options.strict), search_(file.parent_path(), options.allowed, problems_) {
         scene_.file = file.string();
     }
 
@@ -81,8 +81,10 @@ private:
     void read_library(const std::string& name) {
         try {
             const std::filesystem::path file = search_.find(name, file_.parent_path(), where_);
-            for (MtlMaterial& material : read_mtl(read_regular_file(file, max_mtl_bytes, where_), shown(file)))
+            std::vector<SceneError> defects;
+            for (MtlMaterial& material : read_mtl(read_regular_file(file, max_mtl_bytes, where_), shown(file), defects))
                 library_.emplace(material.name, std::move(material));
+            for (const SceneError& defect : defects) leave_out(defect, "; the line is left out", where_, problems_);
         } catch (const SceneError& error) {
             leave_out(error, "; its materials are left out", where_, problems_);
         }
@@ -142,8 +144,8 @@ private:
 
     const std::filesystem::path& file_;
     std::string where_;
-    FileSearch search_;
     Problems problems_;
+    FileSearch search_;
     Scene scene_;
     std::map<std::string, MtlMaterial> library_;
     std::size_t dropped_ = 0, turned_ = 0;

@@ -4,10 +4,11 @@
 #include <cctype>
 
 #include "scene/text.h"
-#include "util/error.h"
 
 namespace pencil {
 namespace {
+
+constexpr std::size_t most_defects = 100;  // that are told
 
 std::string lower(std::string_view text) {
     std::string result(text);
@@ -17,13 +18,18 @@ std::string lower(std::string_view text) {
 
 class MtlReader {
 public:
-    MtlReader(std::string_view text, const std::string& name) : text_(text), name_(name) {}
+    MtlReader(std::string_view text, const std::string& name, std::vector<SceneError>& defects)
+        : text_(text), name_(name), defects_(defects) {}
 
     std::vector<MtlMaterial> read() {
         for (std::size_t start = 0; start < text_.size();) {
             const std::size_t end = std::min(text_.find('\n', start), text_.size());
             ++line_;
-            statement(trimmed(text_.substr(start, end - start)));
+            try {
+                statement(trimmed(text_.substr(start, end - start)));
+            } catch (const SceneError& defect) {
+                if (defects_.size() < most_defects) defects_.push_back(defect);
+            }
             start = end + 1;
         }
         return std::move(materials_);
@@ -127,12 +133,15 @@ private:
 
     std::string_view text_;
     const std::string& name_;
+    std::vector<SceneError>& defects_;
     std::size_t line_ = 0;
     std::vector<MtlMaterial> materials_;
 };
 
 }  // namespace
 
-std::vector<MtlMaterial> read_mtl(std::string_view text, const std::string& name) { return MtlReader(text, name).read(); }
+std::vector<MtlMaterial> read_mtl(std::string_view text, const std::string& name, std::vector<SceneError>& defects) {
+    return MtlReader(text, name, defects).read();
+}
 
 }  // namespace pencil

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "util/error.h"
+
 namespace pencil {
 
 /// A picture that a material names, with its options.
@@ -28,7 +30,8 @@ struct MtlMaterial {
     std::vector<std::string> left_out;                                    // statements that say something and are not read
 };
 
-/// `name` is the file's name for messages. Statements that are not listed here are skipped.
-std::vector<MtlMaterial> read_mtl(std::string_view text, const std::string& name);
+/// `name` is the file's name for messages. Statements that are not listed here are skipped, and so are those with a defect, which goes to
+/// `defects`.
+std::vector<MtlMaterial> read_mtl(std::string_view text, const std::string& name, std::vector<SceneError>& defects);
 
 }  // namespace pencil
