@@ -2,6 +2,7 @@
 // serves pencil transport (surfels of the next set's texels) and projection-scatter (surfels of the film): it is the hot loop. How much
 // each pencil counts is said by lib/weights_density.cl or lib/weights_cells.cl, one of which is built in.
 
+#include "lib/atlas.cl"
 #include "lib/packet.cl"
 #include "lib/projection.cl"
 #include "lib/surfel_packet.cl"
@@ -10,7 +11,7 @@
 #include "shared/geometry.h"
 
 /// launch : 1-D, one work-item per block of PENCIL_BLOCK packets of PENCIL_WIDTH surfels from first_surfel on, a multiple of blocks
-/// in     : surfels of `capacity` (a multiple of PENCIL_BLOCK * PENCIL_WIDTH); cops[pencil_count]; radiance, cells, groups, hits:
+/// in     : surfels of `capacity` (a multiple of PENCIL_BLOCK * PENCIL_WIDTH); cops[pencil_count]; radiance: an atlas (lib/atlas.cl), cells, groups, hits:
 ///          tiles of n x n of those pencils; directions: table of CellDirections with direction_tiles
 ///          tiles, where weights are cells; rays[ray_count][RAY_FIELDS][ray_capacity]: of the surfels from first_surfel on, and
 ///          volume, in which centres are uniform, for PENCIL_WEIGHTS_POWER only
@@ -19,7 +20,7 @@
 /// E = pi sum(L w) / sum(w), w = cos/D or the cosine-weighted solid angle of a cell. DEVIATION: eq. (5.33)'s normaliser does not tend to
 /// the integral. PENCIL_WEIGHTS_THESIS: the printed form, E = 2 pi / n_v^2 * sum(D) * sum(L cos/D), n_v pencils visible.
 kernel void project_pencils(global const float *surfels, int capacity, int first_surfel, int surfel_count, global const float4 *cops,
-                            int pencil_count, global const float4 *radiance, global const int2 *cells, global const int4 *groups,
+                            int pencil_count, RADIANCE_ATLAS radiance, global const int2 *cells, global const int4 *groups,
                             global const Hit *hits, global const Triangle *triangles, global const float4 *planes, int n,
                             global const float4 *directions, int direction_tiles, global const float *rays, int ray_capacity, int ray_count,
                             float volume, global float *outgoing, int accumulate, global int *visible) {

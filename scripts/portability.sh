@@ -4,6 +4,7 @@
 # Runtimes: PoCL in its variants; with network Intel's CPU driver (PyPI) and, as root, PoCL and rusticl of Debian 13 (debootstrap);
 # oclgrind where it is installed. What cannot be had is left out with a word why.
 set -euo pipefail
+export PENCIL_TUNED=0 # who has tuned what does not decide
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 folder=$(realpath -m "${1:-build/portability}")
 program=$PWD/build/release/pencil

@@ -5,6 +5,7 @@
 # OLD, NEW: two `pencil` programs; --quick: one size, less work; --except: layers that may differ or be absent, "error,tail"; "beauty" is
 # the image itself, "tail" and "bounce" are those of any order.
 set -euo pipefail
+export PENCIL_TUNED=0 # who has tuned what does not decide
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 usage() { sed -n '4,6s/^# \{0,1\}//p' "$0"; }

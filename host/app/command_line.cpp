@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "app/interrupt.h"
+#include "cl/profile_file.h"
 
 namespace pencil {
 
@@ -90,6 +91,7 @@ std::vector<SubCommand> sub_commands() {
         sub_command("compare", "Measure the error of an image against a reference", run_compare),
         sub_command("converge", "Measure error against run time of all methods and the path tracer", run_converge),
         sub_command("stress", "Render scenes that are stiff or extreme and check what comes out", run_stress),
+        sub_command("tune", "Measure variants of the kernels on a device, and keep the fastest for renders on it", run_tune),
         sub_command("devices", "List the OpenCL devices", run_devices),
         hidden(sub_command("document", "Write the options of all commands as documentation, or the programs of kernels", run_document)),
         hidden(sub_command("build-kernels", "Build the kernels that the standard input lists into the driver's cache", run_build_kernels))};
@@ -111,6 +113,7 @@ ExitCode run_command_line(int argc, char** argv) {
         throw UsageError(error.what());
     }
     watch_signals();
+    allow_tuned_profiles();
     for (const SubCommand& command : commands)
         if (app.got_subcommand(command.name)) return command.run();
     throw UsageError("a command is required: " + names(commands));

@@ -110,6 +110,12 @@ struct StressCommand {
     std::string device;
 };
 
+struct TuneCommand {
+    std::string device;
+    int rounds = 7;
+    bool quiet = false;
+};
+
 struct DevicesCommand {
     bool self_test = false;
 };
@@ -130,6 +136,7 @@ ExitCode run_info(const InfoCommand& command);
 ExitCode run_compare(const CompareCommand& command);
 ExitCode run_converge(const ConvergeCommand& command);
 ExitCode run_stress(const StressCommand& command);
+ExitCode run_tune(const TuneCommand& command);
 ExitCode run_devices(const DevicesCommand& command);
 ExitCode run_document(const DocumentCommand& command);
 ExitCode run_build_kernels(const BuildKernelsCommand& command);

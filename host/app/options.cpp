@@ -14,7 +14,7 @@ namespace {
 
 using Rows = std::vector<Option>;
 
-constexpr int most_paths = 1 << 24, most_depth = 1000, most_seeds = 1000, most_baked = 1 << 16;
+constexpr int most_paths = 1 << 24, most_depth = 1000, most_seeds = 1000, most_baked = 1 << 16, most_rounds = 100;
 constexpr double longest_tracing = 1e6, longest_run = 86400;  // [s]
 
 void append(Rows& rows, Rows more) { std::move(more.begin(), more.end(), std::back_inserter(rows)); }
@@ -290,6 +290,11 @@ std::vector<Option> option_table(StressCommand& command) {
     named.repeated = true;
     return {named, switch_row("--all", command.all, "Slow cases, too"), switch_row("--json", command.json, "Print JSON"),
             switch_row("--markdown", command.markdown, "Print the table of docs/stability.md"), device_row(command.device)};
+}
+
+std::vector<Option> option_table(TuneCommand& command) {
+    return {device_row(command.device), integer_option("--rounds", command.rounds, 1, most_rounds, "Runs of each variant, by turns"),
+            quiet_row(command.quiet)};
 }
 
 std::vector<Option> option_table(DevicesCommand& command) {

@@ -18,6 +18,7 @@ std::vector<Option> option_table(InfoCommand& command);
 std::vector<Option> option_table(CompareCommand& command);
 std::vector<Option> option_table(ConvergeCommand& command);
 std::vector<Option> option_table(StressCommand& command);
+std::vector<Option> option_table(TuneCommand& command);
 std::vector<Option> option_table(DevicesCommand& command);
 std::vector<Option> option_table(DocumentCommand& command);
 std::vector<Option> option_table(BuildKernelsCommand& command);

@@ -130,7 +130,7 @@ ExitCode run_render(const RenderCommand& command) {
         devices.clear();
     }
     report.device = device->info();
-    report.packet_width = device->packet_width();
+    report.profile = device->profile();
 
     const RenderResult result = render_with_progress(scene, command, report, device, devices);
     report.device = device->info();  // another may have gone on

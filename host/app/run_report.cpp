@@ -103,7 +103,7 @@ Metadata image_metadata(const RunReport& report, const RenderCommand& command, b
         {"pencil:sceneFingerprint", report.scene_fingerprint},
         {"pencil:device", report.device.name},
         {"pencil:driver", report.device.platform + " " + report.device.driver},
-        {"pencil:packetWidth", report.packet_width},  // the order of float additions depends on it
+        {"pencil:packetWidth", report.profile.packet_width},  // the order of float additions depends on it
     };
     RenderOptions options = report.options;
     add_options(metadata, render_option_table(options));

@@ -17,7 +17,7 @@ namespace pencil {
 struct RunReport {
     std::string scene_fingerprint;
     DeviceInfo device;
-    int packet_width = 1;
+    DeviceProfile profile;  // of the first device
     RenderOptions options;  // as used: bounces and film size resolved
     int width = 0, height = 0;
     std::vector<StageTime> stages;  // the render's and those of the program around it

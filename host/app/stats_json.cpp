@@ -24,6 +24,17 @@ Json all_options_json(const RunReport& report, const RenderCommand& command) {
     return json;
 }
 
+/// How kernels were built and launched; `tuned`: by what `pencil tune` has measured.
+Json profile_json(const DeviceProfile& profile) {
+    return {{"tuned", profile.tuned},
+            {"packet_width", profile.packet_width},
+            {"block", profile.block},
+            {"group", profile.group},
+            {"groups", profile.groups},
+            {"map_costs", profile.map_costs},
+            {"atlas_image", profile.atlas_image}};
+}
+
 Json device_json(const RunReport& report) {
     const DeviceInfo& device = report.device;
     return {{"name", device.name},
@@ -34,7 +45,8 @@ Json device_json(const RunReport& report) {
             {"is_cpu", device.is_cpu},
             {"compute_units", device.compute_units},
             {"global_memory", device.global_memory},
-            {"packet_width", report.packet_width}};
+            {"packet_width", report.profile.packet_width},
+            {"profile", profile_json(report.profile)}};
 }
 
 Json launches_json(const std::map<std::string, LaunchTimes>& by_description) {

@@ -57,8 +57,9 @@ std::vector<KernelBuild> read_lines(std::istream& list) {
 }
 
 /// A file that says that all of it is in PoCL's cache: it lies there, so that it goes where the cache goes.
-std::filesystem::path mark(const DeviceInfo& device, const std::string& text, const std::vector<KernelBuild>& builds) {
-    std::string identity = device.name + "\n" + device.driver + "\n" + text;
+std::filesystem::path mark(const Device& device, const std::string& text, const std::vector<KernelBuild>& builds) {
+    std::string identity = device.info().name + "\n" + device.info().driver + "\n" + text + fmt::format("{}", device.packet_width());
+    for (const KernelBuild& build : builds) identity += fmt::format(" {}", device.local_size(build.kernel));
     std::string last;
     for (const KernelBuild& build : builds) {
         const std::string file = program_of(build.kernel);
@@ -110,7 +111,7 @@ BuildAhead::BuildAhead(const Device& device, const std::vector<KernelBuild>& bui
     if (builder().empty() || builds.empty()) return;
     if (device.info().platform != pocl_platform || environment("POCL_KERNEL_CACHE") == "0") return;
     const std::string text = lines(builds);
-    const std::filesystem::path all_built = mark(device.info(), text, builds);
+    const std::filesystem::path all_built = mark(device, text, builds);
     std::error_code none;
     const std::size_t count = std::min(cores() - 1, most_processes);
     if (count == 0 || std::filesystem::exists(all_built, none)) return;

@@ -6,8 +6,10 @@
 
 #include "cl/cl_error.h"
 #include "cl/discovery.h"
+#include "cl/profile_file.h"
 #include "util/environment.h"
 #include "util/error.h"
+#include "util/log.h"
 
 namespace pencil {
 namespace {
@@ -23,6 +25,20 @@ int width_from_environment() {
     for (int width : {1, 4, 8, 16})
         if (text == std::to_string(width)) return width;
     throw UsageError("PENCIL_WIDTH=" + text + " is not 1, 4, 8 or 16");
+}
+
+/// What was measured for the device, where that may be used.
+DeviceProfile profile_of(const DeviceInfo& info) {
+    DeviceProfile profile = generic_profile(info);
+    if (const int width = width_from_environment(); width != 0) {
+        profile.packet_width = width;
+        profile.block = generic_block(width);
+        return profile;
+    }
+    if (!tuned_profiles_allowed()) return profile;
+    const ReadProfile read = read_profile(info);
+    if (!read.trouble.empty()) log_warning(read.trouble);
+    return read.profile.value_or(profile);
 }
 
 }  // namespace
@@ -75,10 +91,7 @@ Device::Device(cl::Device device, DeviceInfo info)
       info_(std::move(info)),
       context_(device_),
       queue_(context_, device_, CL_QUEUE_PROFILING_ENABLE),
-      packet_width_(width_from_environment()) {
-    // Twice the registers of an 8-wide CPU still pays: the per-packet work is shared by more surfels.
-    if (packet_width_ == 0) packet_width_ = !info_.is_cpu ? 1 : info_.native_float_width >= 8 ? 16 : 4;
-}
+      profile_(profile_of(info_)) {}
 
 // Waits, because buffers that commands still use must not die under them; a failed device cannot be waited for.
 Device::~Device() {
@@ -88,13 +101,7 @@ Device::~Device() {
     }
 }
 
-int Device::packet_width() const { return packet_width_; }
-
-std::size_t Device::local_size() const {
-    // A CPU work-item handles a whole packet, so few make a group; 64 is a full wave on every GPU.
-    const std::size_t wanted = info_.is_cpu ? 8 : 64;
-    return std::min(wanted, std::max<std::size_t>(info_.max_work_group, 1));
-}
+std::size_t Device::local_size(const std::string& kernel) const { return std::min(profile_.group_of(kernel), info_.max_work_group); }
 
 void Device::reserve(std::uint64_t bytes, const std::string& what) {
     const auto usable = static_cast<std::uint64_t>(usable_memory * static_cast<double>(info_.global_memory));
@@ -114,8 +121,8 @@ void Device::reserve(std::uint64_t bytes, const std::string& what) {
 
 void Device::release(std::uint64_t bytes) { allocated_ -= std::min(bytes, allocated_); }
 
-void Device::record(const std::string& description, const cl::Event& event) {
-    pending_.emplace_back(description, event);
+void Device::record(const std::string& description, const std::string& kernel, const cl::Event& event) {
+    pending_.push_back({description, kernel, event});
     if (pending_.size() >= events_kept) drain(false);
 }
 
@@ -125,7 +132,7 @@ void Device::drain(bool wait) {
     if (wait) finish();
     std::size_t done = 0;
     for (; done < pending_.size(); ++done) {
-        const auto& [description, event] = pending_[done];
+        const auto& [description, kernel, event] = pending_[done];
         const int status = cl_call([&, &text = description] { return "asking about \"" + text + "\" on " + info_.name; },
                                    [&, &e = event] { return e.getInfo<CL_EVENT_COMMAND_EXECUTION_STATUS>(); });
         if (status > CL_COMPLETE) break;
@@ -134,9 +141,10 @@ void Device::drain(bool wait) {
             pending_.clear();
             throw_cl_error(cl::Error(status, "execution"), "running \"" + failed + "\" on " + info_.name);
         }
-        LaunchTimes& times = times_[description];
-        ++times.launches;
-        times.device_seconds += event_seconds(event);
+        for (LaunchTimes* times : {&times_[description], &kernel_times_[kernel]}) {
+            ++times->launches;
+            times->device_seconds += event_seconds(event);
+        }
     }
     pending_.erase(pending_.begin(), pending_.begin() + static_cast<std::ptrdiff_t>(done));
     // A queue that runs far ahead of the device holds memory for each command: let it catch up.
@@ -146,6 +154,11 @@ void Device::drain(bool wait) {
 std::map<std::string, LaunchTimes> Device::launch_times() {
     drain(true);
     return times_;
+}
+
+std::map<std::string, LaunchTimes> Device::kernel_times() {
+    drain(true);
+    return kernel_times_;
 }
 
 void Device::finish() {

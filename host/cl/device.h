@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "cl/device_profile.h"
 #include "cl/faults.h"
 #include "cl/opencl.h"
 #include "util/launch_times.h"
@@ -52,11 +53,15 @@ public:
     cl::CommandQueue& queue() { return queue_; }
     const cl::Device& cl_device() const { return device_; }
 
-    /// Surfels per work-item in packet kernels (PENCIL_WIDTH): native float width on CPUs of 4, 16 on wider ones, 1 elsewhere;
-    /// $PENCIL_WIDTH (1, 4, 8, 16) overrides it for tests.
-    int packet_width() const;
-    /// Work-items per work-group for packet kernels; fixed, because PoCL generates code per local size.
-    std::size_t local_size() const;
+    /// How its kernels are built and launched: generic, or as tuned (cl/profile_file.h); $PENCIL_WIDTH (1, 4, 8, 16) is the generic profile
+    /// with packets of that width, for tests.
+    const DeviceProfile& profile() const { return profile_; }
+    /// Of programs and launches from now on.
+    void set_profile(const DeviceProfile& profile) { profile_ = profile; }
+    /// Surfels per work-item in packet kernels (PENCIL_WIDTH).
+    int packet_width() const { return profile_.packet_width; }
+    /// Work-items per work-group of a kernel that asks for no number; fixed, because PoCL generates code per local size.
+    std::size_t local_size(const std::string& kernel = "") const;
 
     /// Throws what $PENCIL_FAULT asks for at the next launch or allocation (cl/faults.h).
     void launch_may_fail() { faults_.at_launch(); }
@@ -69,8 +74,9 @@ public:
     std::uint64_t peak_allocated() const { return peak_; }
 
     /// Times by launch description, filled by Kernel::run.
-    void record(const std::string& description, const cl::Event& event);
+    void record(const std::string& description, const std::string& kernel, const cl::Event& event);
     std::map<std::string, LaunchTimes> launch_times();  // waits for the queue
+    std::map<std::string, LaunchTimes> kernel_times();  // the same by kernel
     double build_seconds() const { return build_seconds_; }
     void add_build_seconds(double s) { build_seconds_ += s; }
     void finish();
@@ -90,13 +96,17 @@ private:
     DeviceInfo info_;
     cl::Context context_;
     cl::CommandQueue queue_;
-    int packet_width_ = 1;
+    DeviceProfile profile_;
     std::uint64_t allocated_ = 0, peak_ = 0;
     double build_seconds_ = 0;
     std::map<std::string, cl::Program> programs_;
     Faults faults_;
-    std::vector<std::pair<std::string, cl::Event>> pending_;
-    std::map<std::string, LaunchTimes> times_;
+    struct Pending {
+        std::string description, kernel;
+        cl::Event event;
+    };
+    std::vector<Pending> pending_;
+    std::map<std::string, LaunchTimes> times_, kernel_times_;
 };
 
 }  // namespace pencil

@@ -26,9 +26,11 @@ std::vector<KernelParameter> read_parameters(const cl::Kernel& kernel) {
         const unsigned count = kernel.getInfo<CL_KERNEL_NUM_ARGS>();
         for (unsigned i = 0; i < count; ++i) {
             const auto space = kernel.getArgInfo<CL_KERNEL_ARG_ADDRESS_QUALIFIER>(i);
-            parameters.push_back({std::string(kernel.getArgInfo<CL_KERNEL_ARG_NAME>(i).c_str()),
-                                  element(kernel.getArgInfo<CL_KERNEL_ARG_TYPE_NAME>(i).c_str()),
-                                  space == CL_KERNEL_ARG_ADDRESS_GLOBAL || space == CL_KERNEL_ARG_ADDRESS_CONSTANT});
+            const std::string type = element(kernel.getArgInfo<CL_KERNEL_ARG_TYPE_NAME>(i).c_str());
+            // Drivers disagree about the address space of images.
+            const bool image = type.rfind("image", 0) == 0;
+            parameters.push_back({std::string(kernel.getArgInfo<CL_KERNEL_ARG_NAME>(i).c_str()), type,
+                                  image || space == CL_KERNEL_ARG_ADDRESS_GLOBAL || space == CL_KERNEL_ARG_ADDRESS_CONSTANT});
         }
     } catch (const cl::Error&) {
         return {};

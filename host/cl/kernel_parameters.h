@@ -11,7 +11,7 @@ namespace pencil {
 struct KernelParameter {
     std::string name;
     std::string type;     // "float4", "Triangle", without the star of a pointer
-    bool buffer = false;  // a pointer to global or constant memory; else a value
+    bool buffer = false;  // a pointer to global or constant memory, or an image; else a value
 };
 
 /// In order; empty where the device keeps no such information: the extension of OpenCL 1.2 is optional for programs from binaries.

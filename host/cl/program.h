@@ -15,6 +15,7 @@
 #include "cl/device_type.h"
 #include "cl/kernel_parameters.h"
 #include "cl/program_binaries.h"
+#include "cl/texel_image.h"
 
 namespace pencil {
 
@@ -38,7 +39,7 @@ public:
     Launch(std::shared_ptr<Device> device, cl::Kernel kernel, std::string name,
            std::shared_ptr<CompiledKernel> compiled = std::make_shared<CompiledKernel>());
 
-    /// Buffers, values, and groups of them (tuples) that travel together, in the order of the kernel's parameters. DeviceError if number,
+    /// Buffers, images, values, and groups of them (tuples) that travel together, in the order of the kernel's parameters. DeviceError if number,
     /// type or address space differ from what the kernel declares.
     template <typename... Args>
     Launch& args(const Args&... values) {
@@ -47,7 +48,7 @@ public:
         check_argument_count(given_);
         return *this;
     }
-    /// 1-D; `local` 0: the size the kernel requires (reqd_work_group_size), else the device's local_size(). Larger local sizes than the
+    /// 1-D; `local` 0: the size the kernel requires (reqd_work_group_size), else the device's local_size(kernel). Larger local sizes than the
     /// kernel allows on this device are reduced, except required ones: those are a DeviceError. `description` is the profiling key and
     /// stands in error messages.
     void run(std::size_t global, const std::string& description, std::size_t local = 0);
@@ -65,7 +66,11 @@ private:
     template <typename T>
     void add(const Buffer<T>& buffer) {
         check_argument(name_, compiled_->parameters, given_, DeviceType<T>::name, true);
-        set_buffer(given_++, buffer.handle());
+        set_memory(given_++, buffer.handle(), "a buffer");
+    }
+    void add(const TexelImage& image) {
+        check_argument(name_, compiled_->parameters, given_, "image2d_array_t", true);
+        set_memory(given_++, image.handle(), "an image");
     }
     template <typename T>
     void add(const T& value) {
@@ -77,7 +82,7 @@ private:
             set_value(given_++, &value, sizeof(T));
         }
     }
-    void set_buffer(unsigned index, const cl::Buffer& buffer);
+    void set_memory(unsigned index, const cl::Memory& memory, const char* kind);
     void set_value(unsigned index, const void* value, std::size_t bytes);
     void check_argument_count(unsigned count);
     void check_group(std::size_t local_x, std::size_t local_y) const;

@@ -2,14 +2,11 @@
 // no binary, and the program is built from its text.
 #include "cl/program_binaries.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <system_error>
 
 #include "cl/pocl_cache.h"
+#include "cl/private_cache.h"
 #include "util/archive.h"
 #include "util/environment.h"
 #include "util/error.h"
@@ -21,47 +18,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t files_kept = 200, hash_digits = 16;
+constexpr std::size_t files_kept = 200, hash_digits = 16, largest_file = std::size_t{1} << 30;
 
 bool keeps_its_own(const DeviceInfo& device) { return device.platform == pocl_platform || device.platform == "NVIDIA CUDA"; }
-
-bool is_ours(const struct stat& status) { return status.st_uid == geteuid() && (status.st_mode & 022) == 0; }
-
-bool is_our_folder(const fs::path& folder) {
-    struct stat status {};
-    return lstat(folder.c_str(), &status) == 0 && S_ISDIR(status.st_mode) && is_ours(status);
-}
-
-// Code is loaded from it: it must be ours alone, and so must the folder that holds it.
-fs::path private_folder() {
-    fs::path cache = environment("XDG_CACHE_HOME");
-    const std::string home = environment("HOME");
-    if (!cache.is_absolute()) cache = home.empty() ? fs::path() : fs::path(home) / ".cache";
-    if (!cache.is_absolute()) return {};
-    std::error_code error;
-    fs::create_directories(cache, error);
-    const fs::path parent = cache / "pencil", folder = parent / "programs";
-    mkdir(parent.c_str(), 0700);
-    mkdir(folder.c_str(), 0700);
-    return is_our_folder(parent) && is_our_folder(folder) ? folder : fs::path();
-}
-
-/// Of a file that is ours alone, else nothing.
-std::vector<char> read_ours(const fs::path& path) {
-    const int file = open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
-    if (file < 0) return {};
-    struct stat status {};
-    std::vector<char> bytes;
-    if (fstat(file, &status) == 0 && S_ISREG(status.st_mode) && is_ours(status)) {
-        bytes.resize(static_cast<std::size_t>(status.st_size));
-        std::size_t got = 0;
-        for (ssize_t more = 1; more > 0 && got < bytes.size(); got += static_cast<std::size_t>(std::max<ssize_t>(more, 0)))
-            more = read(file, bytes.data() + got, bytes.size() - got);
-        bytes.resize(got);
-    }
-    close(file);
-    return bytes;
-}
 
 void remove_oldest(const fs::path& folder) {
     std::error_code error;
@@ -76,7 +35,8 @@ void remove_oldest(const fs::path& folder) {
 
 ProgramBinaries::ProgramBinaries(const DeviceInfo& device)
     : device_(device.platform + '\n' + device.name + '\n' + device.vendor + '\n' + device.version + '\n' + device.driver + '\n') {
-    if (!keeps_its_own(device) && environment("PENCIL_PROGRAM_CACHE") != "0") folder_ = private_folder();
+    if (!keeps_its_own(device) && environment("PENCIL_PROGRAM_CACHE") != "0")
+        folder_ = private_cache("programs", true);  // code is loaded from it
 }
 
 std::string ProgramBinaries::identity(const std::string& options, const std::string& source) const {
@@ -89,7 +49,7 @@ ProgramBinaries::Binary ProgramBinaries::find(const std::string& options, const 
     if (!is_on()) return {};
     const std::string wanted = identity(options, source);
     const fs::path path = file(wanted);
-    std::vector<char> bytes = read_ours(path);
+    std::vector<char> bytes = read_private(path, largest_file);
     if (bytes.size() < hash_digits) return {};
     const std::string hash(bytes.end() - hash_digits, bytes.end());
     bytes.resize(bytes.size() - hash_digits);

@@ -35,6 +35,7 @@ struct Features {
     int weights = PENCIL_WEIGHTS_DPDF;     // form of the quadrature weights (shared/weights.h)
     int cell_grid = 0;                     // root of the greatest number of directions that sample cells, 0 for weights that are none
     int map_kind = PENCIL_MAP_OCTAHEDRAL;  // of pencils and light samples (shared/map_kind.h)
+    bool atlas_image = false;              // radiance maps are looked up as an image
     bool bvh = false;                      // rays through the hierarchy decide visibility, geometry maps do not
 };
 
@@ -70,8 +71,8 @@ public:
     }
     /// Maps of the render's kind with as many texels as octahedral ones of `width`.
     MapShape map_shape(int width) const { return {features_.map_kind, width}; }
-    /// Packets per work-item (PENCIL_BLOCK): enough on CPUs to reuse what the caches hold, one where work-items are narrow.
-    int block() const { return device()->packet_width() > 1 ? 8 : 1; }
+    /// Packets per work-item (PENCIL_BLOCK).
+    int block() const { return device()->profile().block; }
     std::size_t blocks(int surfels) const {
         return (packets(surfels) + static_cast<std::size_t>(block()) - 1) / static_cast<std::size_t>(block());
     }

@@ -5,13 +5,14 @@
 #include <tuple>
 
 #include "cl/buffer.h"
+#include "cl/device_profile.h"
 #include "device/features.h"
 #include "shared/surfel.h"
 
 namespace pencil {
 
 /// Capacities are multiples of this, so that blocks of packets of any width may touch the tail.
-constexpr int surfel_multiple = 128;
+constexpr int surfel_multiple = most_lanes;
 
 inline int surfel_capacity(int count) { return (count + surfel_multiple - 1) / surfel_multiple * surfel_multiple; }
 

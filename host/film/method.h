@@ -27,6 +27,7 @@ struct MethodNeeds {
     int weights = PENCIL_WEIGHTS_DPDF;     // Features::weights
     int cell_grid = 0;                     // Features::cell_grid
     int map_kind = PENCIL_MAP_OCTAHEDRAL;  // Features::map_kind
+    bool atlas = false;                    // radiance maps of pencils are looked up (Features::atlas_image)
     std::vector<SureKernel> kernels;       // that every render by it launches, beside those of the film
 };
 

@@ -1,5 +1,6 @@
 #include "film/render_context.h"
 
+#include "device/radiance_atlas.h"
 #include "film/approximations.h"
 #include "pencils/light_samples.h"
 
@@ -7,12 +8,13 @@ namespace pencil {
 
 namespace {
 
-Features complete_features(const FlatScene& flat, const RenderOptions& options, const MethodNeeds& needs) {
+Features complete_features(const FlatScene& flat, const RenderOptions& options, const MethodNeeds& needs, const Device& device) {
     Features features = scene_features(flat, options.film_samples, needs.lobes);
     features.bvh = needs.rays_for_visibility;
     features.weights = needs.weights;
     features.cell_grid = needs.cell_grid;
     features.map_kind = needs.map_kind;
+    features.atlas_image = needs.atlas && atlas_is_image(options.atlas, device, MapShape(needs.map_kind, options.map), options.pencils);
     return features;
 }
 
@@ -28,8 +30,7 @@ std::vector<SureKernel> sure_kernels(const RenderContext& context) {
 Prepared preparation(const FlatScene& flat, const MethodNeeds& needs, const Device& device) {
     Prepared prepared;
     if (!needs.maps.empty())
-        prepared = plan_preparation(static_cast<int>(flat.triangles.size()), needs.maps, static_cast<int>(device.info().compute_units),
-                                    needs.map_kind);
+        prepared = plan_preparation(static_cast<int>(flat.triangles.size()), needs.maps, MapSpeed(device), needs.map_kind);
     prepared.bvh = prepared.bvh || needs.hierarchy;
     return prepared;
 }
@@ -60,7 +61,7 @@ RenderContext::RenderContext(const Scene& scene_to_render, const RenderOptions& 
       forms(choose_light_forms(scene, options.initial == Initial::direct, options.initial == Initial::emission)),
       flat(flatten(scene, forms, options.width, options.height, light_unit(scene))),
       needs(needs_of(scene, forms, options)),
-      kernels(device, complete_features(flat, options, needs)),
+      kernels(device, complete_features(flat, options, needs, *device)),
       prepared(preparation(flat, needs, *device)),
       device_scene(prepare_scene(*this, helping)) {
     maps_emit = flat.sky.width > 0 || kernels.features().lobes;

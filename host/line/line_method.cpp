@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "device/radiance_atlas.h"
 #include "line/level_solver.h"
 #include "line/planned_maps.h"
 #include "line/project_pencils.h"
@@ -76,6 +77,7 @@ MethodNeeds line_needs(const Scene& scene, const std::vector<LightForm>& forms, 
     needs.maps = planned_maps(scene, forms, options);
     needs.hierarchy = follows_rays(options.placement) || weights_need_rays(form);
     needs.map_kind = kind;
+    needs.atlas = options.bounces != 0;
     needs.weights = form;
     needs.cell_grid = weights_are_cells(form) ? largest_cell_grid(sites_of_cells(options)) : 0;
     return needs;
@@ -286,7 +288,7 @@ std::vector<std::string> LineMethod::explain() const {
     const RenderOptions& options = context_.options;
     std::vector<std::string> lines{"pencils: " + describe(context_.kernels.map_shape(options.map)),
                                    explain_weights(context_.kernels.features().weights, cell_grid(sites_of_cells(options))),
-                                   explain_iteration(options)};
+                                   explain_iteration(options), explain_atlas(context_.kernels.features())};
     if (options.bounces == 1) lines.push_back("left out: all pencil sets that do not carry direct light (one reflection)");
     if (options.field)
         return {

@@ -7,10 +7,16 @@ void project_pencils(Kernels& kernels, const DeviceScene& scene, const Surfels& 
     // Cells take up to 1.3 MB of a work-item's private memory, and CPU drivers keep that of a whole group on the stack.
     const bool alone = weights_are_cells(kernels.features().weights) && kernels.device()->info().is_cpu;
     const CellTable& table = weights.cells(set.maps->count + weights.rays().count);
-    kernels.get("project_pencils")
-        .args(surfels.store(), first, end, set.maps->centres(), set.radiance, visibility_map(*set.maps, scene), table.list(),
-              weights.rays().list(), outgoing, 1, visible)
-        .run(kernels.blocks(end - first), what, alone ? 1 : 0);
+    const auto project = [&](const auto& radiance) {
+        kernels.get("project_pencils")
+            .args(surfels.store(), first, end, set.maps->centres(), radiance, visibility_map(*set.maps, scene), table.list(),
+                  weights.rays().list(), outgoing, 1, visible)
+            .run(kernels.blocks(end - first), what, alone ? 1 : 0);
+    };
+    if (kernels.features().atlas_image)
+        project(weights.atlas().image_of(set));
+    else
+        project(set.radiance);
 }
 
 void project_pencils(Kernels& kernels, const DeviceScene& scene, const Surfels& surfels, const PencilSet& set, WeightTables& weights,

@@ -60,7 +60,7 @@ int largest_cell_grid(int sites) {
     return grid <= PENCIL_CELL_LARGEST_GRID / 2 ? PENCIL_CELL_LARGEST_GRID / 2 : PENCIL_CELL_LARGEST_GRID;
 }
 
-WeightTables::WeightTables(Kernels& kernels) : kernels_(kernels) {
+WeightTables::WeightTables(Kernels& kernels) : kernels_(kernels), atlas_(kernels.device()) {
     rays_.data = Buffer<float>(kernels.device(), std::vector<float>(), "light of rays");
 }
 

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "cl/buffer.h"
+#include "device/radiance_atlas.h"
 #include "options/render_options.h"
 #include "shared/types.h"
 #include "shared/weights.h"
@@ -68,10 +69,13 @@ public:
     const CellTable& cells(int sites);
     /// Of surfels that are projected to next; empty where the form sends no rays.
     SurfelRays& rays() { return rays_; }
+    /// Where radiance maps are looked up as an image.
+    RadianceAtlas& atlas() { return atlas_; }
 
 private:
     Kernels& kernels_;
     SurfelRays rays_;
+    RadianceAtlas atlas_;
     std::map<int, CellTable> cells_;  // by grid
 };
 

@@ -28,7 +28,7 @@ constexpr int map_step = 8, largest_map = 1024;
 const std::vector<std::string> methods{"surface", "line", "hybrid"}, initials{"direct", "emission", "auto"},
     placements{"random", "lds", "near-surface", "light-rays", "camera-rays", "profile"},
     weightings{"dpdf", "voronoi", "analytic", "thesis"}, iterations{"sets", "fixed", "levels"},
-    map_kinds{"octahedral", "pyramid", "cube", "paraboloid"};
+    map_kinds{"octahedral", "pyramid", "cube", "paraboloid"}, atlases{"auto", "image", "buffer"};
 
 Option only(std::initializer_list<MethodName> served, Option option) {
     for (const MethodName method : served) option.methods += (option.methods.empty() ? "" : ", ") + to_string(method);
@@ -168,6 +168,10 @@ std::vector<Option> render_option_table(RenderOptions& o) {
              word_option("--map-kind", o.map_kind, map_kinds,
                          "Projection of a pencil's map; the others have about as many texels as the octahedral one: 2 squares, of the "
                          "cube 6, of width N / sqrt(2), N / sqrt(6), to the nearest multiple of 4")),
+        only({line, hybrid},
+             word_option("--atlas", o.atlas, atlases,
+                         "Radiance maps are looked up as an image, which the device filters, or in a buffer; auto: as `pencil tune` has "
+                         "measured, else in a buffer")),
         integer_option("--light-samples", o.light_samples, 1, many, "Point samples over all emitters"),
         word_option("--initial", o.initial, initials,
                     "Direct light from light samples, or from maps that carry emitted light; auto decides per emitter"),

@@ -17,6 +17,7 @@ enum class Placement { random, lds, near_surface, light_rays, camera_rays, profi
 enum class Weights { dpdf, voronoi, analytic, thesis };
 enum class Iterate { sets, fixed, levels };
 enum class MapKind { octahedral, pyramid, cube, paraboloid };
+enum class Atlas { automatic, image, buffer };
 
 constexpr double target_of_scene = 0;    // RenderOptions::target_error: standard_target
 constexpr int pencils_of_method = 0;     // RenderOptions::pencils: standard_pencils of the method
@@ -31,6 +32,7 @@ struct RenderOptions {
     int least_pencils = pencils_of_method;   // line: sets do not shrink below this
     int bounces = bounces_of_scene;          // reflections at most, direct light included
     int map = 64;                            // line: octahedral tile size, a multiple of 8 [texels]
+    Atlas atlas = Atlas::automatic;          // line, hybrid: form of the radiance maps that are looked up
     MapKind map_kind = MapKind::octahedral;  // line, hybrid: other kinds have about as many texels
     int light_samples = 64;
     Initial initial = Initial::automatic;

@@ -25,11 +25,12 @@ std::string light_sentence(const RenderContext& context) {
 
 std::vector<std::string> explain(const RenderContext& context) {
     const Device& device = *context.kernels.device();
-    std::vector<std::string> lines{fmt::format("packets of {} surfels per work-item on {}", device.packet_width(), device.info().name),
+    std::vector<std::string> lines{fmt::format("packets of {} surfels per work-item on {}{}", device.packet_width(), device.info().name,
+                                               device.profile().tuned ? ", as `pencil tune` has measured" : ""),
                                    light_sentence(context)};
     if (!context.needs.maps.empty())
-        lines.push_back(explain_paths(context.device_scene.triangle_count, context.needs.maps,
-                                      static_cast<int>(device.info().compute_units), context.prepared, context.needs.map_kind));
+        lines.push_back(explain_paths(context.device_scene.triangle_count, context.needs.maps, MapSpeed(device), context.prepared,
+                                      context.needs.map_kind));
     const Features& features = context.kernels.features();
     const auto left_out = [&](bool needed, const char* what) {
         if (!needed) lines.push_back(std::string("left out: ") + what);

@@ -8,8 +8,7 @@
 namespace pencil {
 
 void make_geometry_maps(Kernels& kernels, const DeviceScene& scene, GeometryMaps& maps, int first, int count) {
-    const int units = static_cast<int>(kernels.device()->info().compute_units);
-    switch (choose_path(scene.triangle_count, {count, maps.shape.width}, units, scene.prepared(), maps.shape.kind)) {
+    switch (choose_path(scene.triangle_count, {count, maps.shape.width}, MapSpeed(*kernels.device()), scene.prepared(), maps.shape.kind)) {
         case VisibilityPath::rasterize:
             return rasterize_octahedral(kernels, scene, maps, first, count);
         case VisibilityPath::clusters:

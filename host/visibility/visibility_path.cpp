@@ -81,12 +81,12 @@ bool possible(const MapBatch& batch, const Prepared& prepared, int kind) {
 }
 
 /// Infinite if some batch cannot be made.
-double total_seconds(int triangles, const std::vector<MapBatch>& batches, int compute_units, const Prepared& prepared, int kind) {
+double total_seconds(int triangles, const std::vector<MapBatch>& batches, const MapSpeed& speed, const Prepared& prepared, int kind) {
     double sum = prepared.clusters ? preparation_seconds(VisibilityPath::clusters, triangles) : 0.0;
     if (prepared.bvh) sum += preparation_seconds(VisibilityPath::trace, triangles);
     for (const MapBatch& batch : batches) {
         if (!possible(batch, prepared, kind)) return std::numeric_limits<double>::infinity();
-        sum += maps_seconds(choose_path(triangles, batch, compute_units, prepared, kind), triangles, batch, compute_units);
+        sum += maps_seconds(choose_path(triangles, batch, speed, prepared, kind), triangles, batch, speed);
     }
     return sum;
 }
@@ -105,19 +105,19 @@ double preparation_seconds(VisibilityPath path, int triangles) {
     return 0.0;
 }
 
-double maps_seconds(VisibilityPath path, int triangles, const MapBatch& batch, int compute_units) {
+double maps_seconds(VisibilityPath path, int triangles, const MapBatch& batch, const MapSpeed& speed) {
     const PathCost cost = cost_of(path);
     const double size = batch.size;
     const double map =
         cost.map + cost.triangle * triangles + cost.texel * size * size + cost.shared * triangles * std::pow(size, cost.exponent);
-    return 1e-9 * batch.maps * map / compute_units;
+    return 1e-9 * speed.costs[static_cast<std::size_t>(path)] * batch.maps * map / speed.compute_units;
 }
 
-VisibilityPath choose_path(int triangles, const MapBatch& batch, int compute_units, const Prepared& prepared, int kind) {
+VisibilityPath choose_path(int triangles, const MapBatch& batch, const MapSpeed& speed, const Prepared& prepared, int kind) {
     VisibilityPath best = VisibilityPath::rasterize;
     double least = std::numeric_limits<double>::infinity();
     for (const VisibilityPath path : visibility_paths) {
-        const double seconds = maps_seconds(path, triangles, batch, compute_units);
+        const double seconds = maps_seconds(path, triangles, batch, speed);
         if (!available(path, batch, prepared, kind) || seconds >= least) continue;
         best = path;
         least = seconds;
@@ -126,11 +126,11 @@ VisibilityPath choose_path(int triangles, const MapBatch& batch, int compute_uni
     return best;
 }
 
-Prepared plan_preparation(int triangles, const std::vector<MapBatch>& batches, int compute_units, int kind) {
+Prepared plan_preparation(int triangles, const std::vector<MapBatch>& batches, const MapSpeed& speed, int kind) {
     Prepared best;
     double least = std::numeric_limits<double>::infinity();
     for (const Prepared& prepared : {Prepared{false, false}, Prepared{true, false}, Prepared{false, true}, Prepared{true, true}}) {
-        const double seconds = total_seconds(triangles, batches, compute_units, prepared, kind);
+        const double seconds = total_seconds(triangles, batches, speed, prepared, kind);
         if (seconds >= least) continue;
         best = prepared;
         least = seconds;
@@ -138,15 +138,15 @@ Prepared plan_preparation(int triangles, const std::vector<MapBatch>& batches, i
     return best;
 }
 
-std::string explain_paths(int triangles, const std::vector<MapBatch>& batches, int compute_units, const Prepared& prepared, int kind) {
+std::string explain_paths(int triangles, const std::vector<MapBatch>& batches, const MapSpeed& speed, const Prepared& prepared, int kind) {
     std::string text = fmt::format("geometry maps over {} triangles: ", triangles);
     for (const MapBatch& batch : batches) {
         text += fmt::format("about {} {} {} (predicted:", batch.maps, describe(MapShape(kind, batch.size)),
-                            words(choose_path(triangles, batch, compute_units, prepared, kind)));
+                            words(choose_path(triangles, batch, speed, prepared, kind)));
         const char* separator = " ";
         for (const VisibilityPath path : visibility_paths) {
             if (!knows(path, kind)) continue;
-            text += separator + (words(path) + (" " + seconds_text(maps_seconds(path, triangles, batch, compute_units))));
+            text += separator + (words(path) + (" " + seconds_text(maps_seconds(path, triangles, batch, speed))));
             separator = ", ";
         }
         text += "); ";

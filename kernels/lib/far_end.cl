@@ -1,6 +1,7 @@
 // The far end of a line through a pencil and a surfel: where the light comes from that the pencil passes on. The bilinear mean of the texels
 // that show it, exact at silhouettes: light of one surface is not spread over another, whose lines are rarer or more frequent.
 
+#include "lib/atlas.cl"
 #include "lib/footprint.cl"
 #include "lib/map.cl"
 #include "lib/projection.cl"
@@ -33,8 +34,8 @@ static inline float path_to_plane(float4 plane, float4 cop, float4 direction) {
 
 /// Radiance (rgb), bilinear over those texels from `corner`, in the direction away from the surfel, that show what the ray meets, and the path
 /// to there (w); those of the nearest texel where no texel shows it. (fx, fy): bilinear weights.
-static inline float4 mixed_far_end(const VisibilityMap *map, global const float4 *radiance, int tile, int2 corner, float fx, float fy,
-                                   float4 cop, float4 direction) {
+static inline float4 mixed_far_end(const VisibilityMap *map, RADIANCE_ATLAS radiance, int tile, int2 corner, float fx, float fy, float4 cop,
+                                   float4 direction) {
     int met = met_triangle(map, tile, corner, cop, direction);
     int plane = met < 0 ? -1 : map->triangles[met].plane;
     float4 sum = (float4)(0.0f), nearest = sum;
@@ -42,7 +43,7 @@ static inline float4 mixed_far_end(const VisibilityMap *map, global const float4
     for (int k = 0; k < 4; ++k) {
         int2 texel = map_footprint_texel(corner, k, map->n);
         int triangle = map->hits[map_atlas_index(tile, texel, map->n)].triangle;
-        float4 light = radiance[map_atlas_index(tile, map_antipode(texel, map->n), map->n)];
+        float4 light = radiance_texel(radiance, tile, map_antipode(texel, map->n), map->n);
         float weight = (k & 1 ? fx : 1.0f - fx) * (k >> 1 ? fy : 1.0f - fy);
         if (weight > most) {
             most = weight;
@@ -58,21 +59,20 @@ static inline float4 mixed_far_end(const VisibilityMap *map, global const float4
 
 /// Radiance (rgb) that lane `l` of a packet receives which is aimed at a centre, and the path from there to its far end (w). `back`: the
 /// footprint of the direction away from the surfel, `direction`, in the same tile.
-static inline float4 far_end(const VisibilityMap *map, global const float4 *radiance, int tile, const Footprint *aimed,
-                             const Footprint *back, int l, float4 cop, float4 direction) {
+static inline float4 far_end(const VisibilityMap *map, RADIANCE_ATLAS radiance, int tile, const Footprint *aimed, const Footprint *back,
+                             int l, float4 cop, float4 direction) {
     int2 cell = map->cells[LANE_INT(back->index, l) + tile * MAP_STORED(map->n)];
     if (cell.x != cell.y || cell.x < 0)
         return mixed_far_end(map, radiance, tile, footprint_corner(back, l), LANE_FLOAT(back->fx, l), LANE_FLOAT(back->fy, l), cop,
                              direction);
-    float4 light =
-        fetch_radiance(radiance, LANE_INT(aimed->index, l), PENCIL_TILE_STRIDE(map->n), LANE_FLOAT(aimed->fx, l), LANE_FLOAT(aimed->fy, l));
+    float4 light = fetch_radiance(radiance, tile, aimed, l, map->n);
     light.w = path_to_plane(map->planes[cell.x], cop, direction);
     return light;
 }
 
 /// far_end of those of `lanes` that see the centre of a tile that they are aimed at.
-static inline void far_ends(const SurfelPacket *s, const VisibilityMap *map, global const float4 *radiance, int tile,
-                            const Footprint *aimed, float4 cop, int lanes, float4 *light) {
+static inline void far_ends(const SurfelPacket *s, const VisibilityMap *map, RADIANCE_ATLAS radiance, int tile, const Footprint *aimed,
+                            float4 cop, int lanes, float4 *light) {
     Footprint back = map_footprint(cop.x - s->x, cop.y - s->y, cop.z - s->z, map->n);
     for (; lanes; lanes &= lanes - 1) {
         int l = LOWEST_LANE(lanes);

@@ -2,6 +2,7 @@
 //   void sum_pencils(packets, map, radiance, cops, pencil_count, directions, tiles, rays, sums)
 // which adds all pencils to the sums, and says which with which weight.
 
+#include "lib/atlas.cl"
 #include "lib/packet.cl"
 #include "lib/packet_visibility.cl"
 #include "lib/surfel_packet.cl"
@@ -42,47 +43,27 @@ static inline void aim_at_pencil(const SurfelPacket *s, const VisibilityMap *map
     aimed->weight = towards * packet_rsqrt(fma(vx, vx, fma(vy, vy, vz * vz)));
 }
 
-/// Asks for the texels that a packet is aimed at.
-static inline void prefetch_radiance(const Aimed *aimed, global const float4 *radiance, int n) {
-#pragma unroll
-    for (int l = 0; l < PENCIL_WIDTH; l += 2) {
-        global const float4 *texel = radiance + LANE_INT(aimed->f.index, l);
-        PREFETCH(texel);
-        PREFETCH(texel + PENCIL_TILE_STRIDE(n));
-    }
-}
-
-/// Radiance (rgb) and density weight 1/D (w) by bilinear interpolation. DEVIATION: 1/D is interpolated, not D: it is what is used.
-/// Two texels of a row are loaded at once.
-static inline float4 fetch_radiance(global const float4 *radiance, int index, int stride, float fx, float fy) {
-    global const float *texel = (global const float *)(radiance + index);
-    float8 upper = vload8(0, texel), lower = vload8(0, texel + 4 * stride);
-    float8 row = upper + fy * (lower - upper);
-    return row.lo + fx * (row.hi - row.lo);
-}
-
-/// Adds what surfel number `surfel` of the block receives along its aimed direction to the sums.
-static inline void add_seen(const Aimed *block, uint surfel, global const float4 *radiance, int stride, ProjectionSums *sums) {
+/// Adds what surfel number `surfel` of the block receives along its aimed direction from the centre of `tile` to the sums.
+static inline void add_seen(const Aimed *block, uint surfel, RADIANCE_ATLAS radiance, int tile, int n, ProjectionSums *sums) {
     const Aimed *aimed = block + surfel / PENCIL_WIDTH;
     uint l = surfel % PENCIL_WIDTH;
-    float4 texel = fetch_radiance(radiance, LANE_INT(aimed->f.index, l), stride, LANE_FLOAT(aimed->f.fx, l), LANE_FLOAT(aimed->f.fy, l));
+    float4 texel = fetch_radiance(radiance, tile, &aimed->f, l, n);
     float weight = LANE_FLOAT(aimed->weight, l);
     if (PENCIL_CELL_GRID == 0) weight *= texel.w;
     sums->light[surfel] += weight * (float4)(texel.xyz, 1.0f);
     if (PENCIL_WEIGHTS == PENCIL_WEIGHTS_THESIS) sums->density[surfel] += 1.0f / texel.w;
 }
 
-/// Adds to the sums of a block what its `lanes`, bits per packet, receive from the pencil that they are aimed at: lists them, then fetches
+/// Adds to the sums of a block what its `lanes`, bits per packet, receive from pencil `tile`, which they are aimed at: lists them, then fetches
 /// what is on the list in one loop without branches.
-static inline void add_lanes(const Aimed *aimed, const int *lanes, global const float4 *radiance, int n, ProjectionSums *sums) {
+static inline void add_lanes(const Aimed *aimed, const int *lanes, RADIANCE_ATLAS radiance, int tile, int n, ProjectionSums *sums) {
     int list[(PENCIL_BLOCK + 1) * PENCIL_WIDTH], count = 0;
     for (int p = 0; p < PENCIL_BLOCK; ++p) {
         packet_store_packed(p * PENCIL_WIDTH + PACKET_LANES, lanes[p], list + count);
         count += popcount(lanes[p]);
     }
-    const int stride = PENCIL_TILE_STRIDE(n);
     // The remainder changes nothing, but is a constant where a block is one surfel, and private arrays can then be registers.
-    for (int k = 0; k < count; ++k) add_seen(aimed, (uint)list[k] % (PENCIL_BLOCK * PENCIL_WIDTH), radiance, stride, sums);
+    for (int k = 0; k < count; ++k) add_seen(aimed, (uint)list[k] % (PENCIL_BLOCK * PENCIL_WIDTH), radiance, tile, n, sums);
 }
 
 /// Irradiance from the sums of surfel l of the block: E = pi sum(L w) / sum(w), and the printed form E = 2 pi / n_v^2 sum(D) sum(L cos/D).

@@ -2,6 +2,7 @@
 // that are nearer to its own than to that of any other pencil which the surfel sees. No visibility masks are needed. With
 // PENCIL_WEIGHTS_POWER rays of the surfels stand beside the pencils.
 
+#include "lib/atlas.cl"
 #include "lib/cells.cl"
 #include "lib/far_end.cl"
 #include "lib/footprint.cl"
@@ -20,17 +21,17 @@
 
 /// Pencils `first` to `last` of `count`.
 typedef struct PencilChunk {
-    global const float4 *cops, *radiance;
+    global const float4 *cops;
     int count, first, last;
 } PencilChunk;
 
 /// Radius of the cell of pencil i: 0 for plain cells, which need none.
-static inline vfloat pencil_radius(const SurfelPacket *s, const VisibilityMap *map, const PencilChunk *pencils, int i, const Aimed *aimed,
-                                   int lanes, const SurfelRays *rays) {
+static inline vfloat pencil_radius(const SurfelPacket *s, const VisibilityMap *map, RADIANCE_ATLAS radiance, const PencilChunk *pencils,
+                                   int i, const Aimed *aimed, int lanes, const SurfelRays *rays) {
 #if PENCIL_WEIGHTS == PENCIL_WEIGHTS_POWER
     float4 cop = (float4)(pencils->cops[i].xyz, 0.0f), light[PENCIL_WIDTH];
     float beyond[PENCIL_WIDTH];
-    far_ends(s, map, pencils->radiance, i, &aimed->f, cop, lanes, light);
+    far_ends(s, map, radiance, i, &aimed->f, cop, lanes, light);
     for (int l = 0; l < PENCIL_WIDTH; ++l) beyond[l] = lanes >> l & 1 ? light[l].w : 0.0f;
     vfloat vx = cop.x - s->x, vy = cop.y - s->y, vz = cop.z - s->z;
     vfloat path = sqrt(fma(vx, vx, fma(vy, vy, vz * vz))) + PACKET_LOAD(beyond);
@@ -41,7 +42,7 @@ static inline vfloat pencil_radius(const SurfelPacket *s, const VisibilityMap *m
 }
 
 /// Offers pencils to the cells of a block.
-static inline void offer_chunk(const SurfelPacket *packets, const VisibilityMap *map, const PencilChunk *pencils,
+static inline void offer_chunk(const SurfelPacket *packets, const VisibilityMap *map, RADIANCE_ATLAS radiance, const PencilChunk *pencils,
                                const CellDirections *directions, const SurfelRays *rays, Cells *cells, ProjectionSums *sums) {
     int lanes[CELL_CHUNK][PENCIL_BLOCK];
     vfloat radii[PENCIL_WEIGHTS == PENCIL_WEIGHTS_POWER ? CELL_CHUNK : 1][PENCIL_BLOCK];
@@ -55,7 +56,7 @@ static inline void offer_chunk(const SurfelPacket *packets, const VisibilityMap 
             lanes[i - pencils->first][p] = seen;
             if (!seen) continue;
             sums->seen[p] -= PACKET_FROM_BITS(seen);
-            vfloat radius = pencil_radius(packets + p, map, pencils, i, aimed + p, seen, rays);
+            vfloat radius = pencil_radius(packets + p, map, radiance, pencils, i, aimed + p, seen, rays);
             radii[(i - pencils->first) % kept][p] = radius;
             Site site = cell_site(packets + p, cells + p, cop, seen, radius);
             approach_cells(directions, &site, cells + p);
@@ -74,7 +75,7 @@ static inline void offer_chunk(const SurfelPacket *packets, const VisibilityMap 
 }
 
 /// Adds what `lanes`, bits per packet of a block, receive from the far ends of their lines through pencil i.
-static inline void add_far_ends(const SurfelPacket *packets, const VisibilityMap *map, global const float4 *radiance, int i, float4 cop,
+static inline void add_far_ends(const SurfelPacket *packets, const VisibilityMap *map, RADIANCE_ATLAS radiance, int i, float4 cop,
                                 const Aimed *aimed, const int *lanes, ProjectionSums *sums) {
     float4 light[PENCIL_WIDTH];
     for (int p = 0; p < PENCIL_BLOCK; ++p) {
@@ -88,7 +89,7 @@ static inline void add_far_ends(const SurfelPacket *packets, const VisibilityMap
 }
 
 /// Adds pencils with the number of directions that they are nearest to.
-static inline void add_chunk(const SurfelPacket *packets, const VisibilityMap *map, const PencilChunk *pencils,
+static inline void add_chunk(const SurfelPacket *packets, const VisibilityMap *map, RADIANCE_ATLAS radiance, const PencilChunk *pencils,
                              const CellDirections *directions, const Cells *cells, ProjectionSums *sums) {
     const int samples = directions->tiles * PENCIL_CELL_TILE, numbers = directions->numbers, first = pencils->first;
     ushort won[CELL_CHUNK * PENCIL_BLOCK * PENCIL_WIDTH];  // [pencil][packet][lane]
@@ -111,31 +112,30 @@ static inline void add_chunk(const SurfelPacket *packets, const VisibilityMap *m
             if (!lanes[p]) continue;
             aimed[p].weight = PACKET_TO_FLOAT(count);
             aimed[p].f = map_footprint_in(i, packets[p].x - cop.x, packets[p].y - cop.y, packets[p].z - cop.z, map->n);
-            prefetch_radiance(aimed + p, pencils->radiance, map->n);
+            prefetch_radiance(&aimed[p].f, radiance, map->n);
         }
         if (PENCIL_WEIGHTS == PENCIL_WEIGHTS_POWER)
-            add_far_ends(packets, map, pencils->radiance, i, cop, aimed, lanes, sums);
+            add_far_ends(packets, map, radiance, i, cop, aimed, lanes, sums);
         else
-            add_lanes(aimed, lanes, pencils->radiance, map->n, sums);
+            add_lanes(aimed, lanes, radiance, i, map->n, sums);
     }
 }
 
 /// Adds every pencil that the block sees with the number of directions in its cell, and the rays. `tiles`: of the table of directions.
-static inline void sum_pencils(const SurfelPacket *packets, const VisibilityMap *map, global const float4 *radiance,
-                               global const float4 *cops, int pencil_count, global const float4 *directions, int tiles,
-                               const SurfelRays *rays, ProjectionSums *sums) {
+static inline void sum_pencils(const SurfelPacket *packets, const VisibilityMap *map, RADIANCE_ATLAS radiance, global const float4 *cops,
+                               int pencil_count, global const float4 *directions, int tiles, const SurfelRays *rays, ProjectionSums *sums) {
     Cells cells[PENCIL_BLOCK];
     int numbers = (int)(0xffffffffu >> clz(pencil_count + rays->count));  // all ones is no site's number
     CellDirections table = {directions, directions + tiles, tiles, numbers};
     for (int p = 0; p < PENCIL_BLOCK; ++p) begin_cells(packets + p, &table, rays->count, cells + p);
     if (PENCIL_WEIGHTS == PENCIL_WEIGHTS_POWER) offer_rays(rays, pencil_count, &table, cells);
     for (int first = 0; first < pencil_count; first += CELL_CHUNK) {
-        PencilChunk chunk = {cops, radiance, pencil_count, first, min(first + CELL_CHUNK, pencil_count)};
-        offer_chunk(packets, map, &chunk, &table, rays, cells, sums);
+        PencilChunk chunk = {cops, pencil_count, first, min(first + CELL_CHUNK, pencil_count)};
+        offer_chunk(packets, map, radiance, &chunk, &table, rays, cells, sums);
     }
     for (int first = 0; first < pencil_count; first += CELL_CHUNK) {
-        PencilChunk chunk = {cops, radiance, pencil_count, first, min(first + CELL_CHUNK, pencil_count)};
-        add_chunk(packets, map, &chunk, &table, cells, sums);
+        PencilChunk chunk = {cops, pencil_count, first, min(first + CELL_CHUNK, pencil_count)};
+        add_chunk(packets, map, radiance, &chunk, &table, cells, sums);
     }
     if (PENCIL_WEIGHTS == PENCIL_WEIGHTS_POWER) add_rays(rays, pencil_count, &table, cells, sums);
 }

@@ -13,7 +13,7 @@ namespace {
 using namespace pencil;
 using namespace pencil::test;
 
-constexpr int n = 8;
+constexpr int map_width = 8;
 
 /// Radiance of what is met: 1, and much more near a place on a wall.
 double radiance_of(const dvec3& x) { return glm::distance(x, dvec3(0.75, 0.2, 0.1)) < 0.1 ? 200.0 : 1.0; }
@@ -40,10 +40,10 @@ Irradiance irradiance(const std::vector<SurfacePencil>& placed, const std::vecto
     const DeviceScene on_device(device(), scene.flat, build_bvh(scene.flat.triangles));
     const int count = static_cast<int>(placed.size());
     const DeviceSpots spots(device(), found);
-    SurfacePencils pencils(device(), count, n);
+    SurfacePencils pencils(device(), count, map_width);
     pencils.data.write(placed);
     pencils.count = count;
-    Surfels seen(device(), count * n * n, "surfels"), guided(device(), count * SPOT_RAYS, "guided surfels");
+    Surfels seen(device(), count * map_width * map_width, "surfels"), guided(device(), count * SPOT_RAYS, "guided surfels");
     Buffer<float> factors(device(), static_cast<std::size_t>(guided.capacity), "factors");
     Irradiance out{std::vector<double>(placed.size(), 0.0), std::vector<double>(placed.size(), 0.0)};
     for (int turn = 0; turn < turns; ++turn) {
@@ -51,7 +51,7 @@ Irradiance irradiance(const std::vector<SurfacePencil>& placed, const std::vecto
         trace_hemispheres(kernels, on_device, pencils, 0, count, points, seen);
         Buffer<float> radiance = radiance_of(seen);
         if (spots.count > 0) share_hemispheres(kernels, pencils, 0, count, spots, points, radiance, seen.capacity);
-        sum_hemispheres(kernels, radiance, seen.capacity, 0, 0, count, n, pencils.irradiance);
+        sum_hemispheres(kernels, radiance, seen.capacity, 0, 0, count, map_width, pencils.irradiance);
         if (spots.count > 0) {
             guide_hemispheres(kernels, on_device, pencils, 0, count, spots, points, guided, factors);
             sum_guides(kernels, radiance_of(guided), guided.capacity, factors, 0, count, pencils.irradiance);
@@ -94,7 +94,7 @@ TEST(GuideHemispheres, RaysBelowTheHorizonSeeNothing) {
     Kernels kernels = make_kernels();
     const TestScene scene = box_scene(1);
     const DeviceScene on_device(device(), scene.flat, build_bvh(scene.flat.triangles));
-    SurfacePencils pencils(device(), 5, n);
+    SurfacePencils pencils(device(), 5, map_width);
     pencils.data.write(placed);
     pencils.count = 5;
     Surfels guided(device(), 5 * SPOT_RAYS, "guided surfels");

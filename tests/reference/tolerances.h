@@ -37,5 +37,7 @@ constexpr double fit = 6e-4;
 constexpr double held = 0.02;
 /// A weighted mean of linear functions whose terms are ten times their sum.
 constexpr double interpolation = 1e-4;
+/// Bilinear look-ups by filtering hardware, relative to the greatest difference between the four texels: both interpolation weights may be cut to 8 bits.
+constexpr double image_weights = 2.0 / 256;
 
 }  // namespace pencil::tolerance
