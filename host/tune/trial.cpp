@@ -54,6 +54,27 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
+/// Of times of one trial and another: that of the least, and the median of the rounds'.
+struct Ratios {
+    double least = 1, median = 1;
+};
+
+Ratios ratios_of(const Trial& trial, const Trial& to, const std::set<std::string>& kernels) {
+    const double infinite = std::numeric_limits<double>::infinity();
+    const std::size_t rounds = std::min(trial.rounds.size(), to.rounds.size());
+    if (!trial.refused.empty() || rounds == 0) return {infinite, infinite};
+    double least = infinite, least_to = infinite;
+    std::vector<double> ratios;
+    for (std::size_t i = 0; i < rounds; ++i) {
+        const double own = sum_of(trial.rounds[i], kernels), other = sum_of(to.rounds[i], kernels);
+        if (!(other > 0)) return {};  // a driver that measures no times, or kernels that were not launched
+        least = std::min(least, own);
+        least_to = std::min(least_to, other);
+        ratios.push_back(own / other);
+    }
+    return {least / least_to, median(ratios)};
+}
+
 }  // namespace
 
 std::vector<Trial> try_profiles(const Workload& work, const std::vector<DeviceProfile>& profiles, int rounds) {
@@ -76,19 +97,13 @@ double sum_of(const KernelTimes& seconds, const std::set<std::string>& kernels) 
 }
 
 double time_ratio(const Trial& trial, const Trial& to, const std::set<std::string>& kernels) {
-    const double infinite = std::numeric_limits<double>::infinity();
-    const std::size_t rounds = std::min(trial.rounds.size(), to.rounds.size());
-    if (!trial.refused.empty() || rounds == 0) return infinite;
-    double least = infinite, least_to = infinite;
-    std::vector<double> ratios;
-    for (std::size_t i = 0; i < rounds; ++i) {
-        const double own = sum_of(trial.rounds[i], kernels), other = sum_of(to.rounds[i], kernels);
-        if (!(other > 0)) return 1;  // a driver that measures no times, or kernels that were not launched
-        least = std::min(least, own);
-        least_to = std::min(least_to, other);
-        ratios.push_back(own / other);
-    }
-    return std::max(least / least_to, median(ratios));
+    const Ratios ratios = ratios_of(trial, to, kernels);
+    return std::max(ratios.least, ratios.median);
+}
+
+double noise_between(const Trial& trial, const Trial& again, const std::set<std::string>& kernels) {
+    const Ratios ratios = ratios_of(trial, again, kernels);
+    return std::max(std::abs(std::log(ratios.least)), std::abs(std::log(ratios.median)));
 }
 
 }  // namespace pencil

@@ -46,4 +46,7 @@ double sum_of(const KernelTimes& seconds, const std::set<std::string>& kernels);
 /// ratios, whichever is greater. One lucky round makes nothing win.
 double time_ratio(const Trial& trial, const Trial& to, const std::set<std::string>& kernels = {});
 
+/// How far two trials of the same profile are apart by these two measures: what the machine does to times, as a share of them.
+double noise_between(const Trial& trial, const Trial& again, const std::set<std::string>& kernels = {});
+
 }  // namespace pencil

@@ -56,12 +56,13 @@ public:
     }
 
 private:
-    std::vector<Trial> beside_best(const std::vector<DeviceProfile>& variants, const std::string& stage) {
+    /// Trials of the best so far, of the same again, which tells the noise, and of variants.
+    std::vector<Trial> beside_best(const std::vector<DeviceProfile>& variants, const std::string& stage, int rounds) {
         if (rules_.stage) rules_.stage(stage);
-        std::vector<DeviceProfile> profiles{best_};
+        std::vector<DeviceProfile> profiles{best_, best_};
         for (const DeviceProfile& variant : variants)
             if (trouble_of(variant, info_).empty()) profiles.push_back(variant);
-        return try_profiles(work_, profiles, rules_.rounds);
+        return try_profiles(work_, profiles, rounds);
     }
 
     void add_row(const std::set<std::string>& kernels, const std::string& variant, const Trial& trial, double ratio, bool kept) {
@@ -72,12 +73,13 @@ private:
     void choose(const std::vector<Trial>& trials, const std::set<std::string>& kernels,
                 const std::function<std::string(const DeviceProfile&)>& name) {
         std::size_t winner = 0;
-        std::vector<double> ratios{1};
-        for (std::size_t i = 1; i < trials.size(); ++i) {
+        std::vector<double> ratios{1, 1};
+        for (std::size_t i = first_variant; i < trials.size(); ++i) {
             ratios.push_back(time_ratio(trials[i], trials[0], kernels));
-            if (ratios[i] < 1 - win_margin && ratios[i] < ratios[winner]) winner = i;
+            if (ratios[i] < 1 - margin(trials, kernels) && ratios[i] < ratios[winner]) winner = i;
         }
-        for (std::size_t i = 1; i < trials.size(); ++i) add_row(kernels, name(trials[i].profile), trials[i], ratios[i], i == winner);
+        for (std::size_t i = first_variant; i < trials.size(); ++i)
+            add_row(kernels, name(trials[i].profile), trials[i], ratios[i], i == winner);
         best_ = trials[winner].profile;
     }
 
@@ -90,7 +92,7 @@ private:
             variant.block = info_.is_cpu ? generic_block(width) : best_.block;
             variants.push_back(variant);
         }
-        choose(beside_best(variants, "packet widths"), {},
+        choose(beside_best(variants, "packet widths", rules_.rounds), {},
                [](const DeviceProfile& p) { return fmt::format("packets of {}", p.packet_width); });
     }
 
@@ -102,7 +104,7 @@ private:
             variant.block = block;
             variants.push_back(variant);
         }
-        choose(beside_best(variants, "packets per work-item"), block_kernels,
+        choose(beside_best(variants, "packets per work-item", rules_.rounds), block_kernels,
                [](const DeviceProfile& p) { return fmt::format("{} packets per work-item", p.block); });
     }
 
@@ -110,7 +112,7 @@ private:
         if (!rules_.images) return;
         DeviceProfile variant = best_;
         variant.atlas_image = !best_.atlas_image;
-        choose(beside_best({variant}, "radiance maps"), atlas_kernels,
+        choose(beside_best({variant}, "radiance maps", rules_.rounds), atlas_kernels,
                [](const DeviceProfile& p) { return std::string(p.atlas_image ? "image" : "buffer"); });
     }
 
@@ -123,52 +125,88 @@ private:
             variant.group = group;
             variants.push_back(variant);
         }
-        const std::vector<Trial> trials = beside_best(variants, "work-group sizes");
-        const KernelTimes first = trials[0].rounds.front();
-        for (const auto& [kernel, seconds] : first)
-            if (seconds >= least_share * sum_of(first, {})) choose_group(kernel, trials);
+        const std::vector<Trial> trials = beside_best(variants, "work-group sizes", rules_.rounds);
+        for (const std::string& kernel : heavy_kernels(trials[0])) choose_group(kernel, trials);
     }
 
     /// The nearest to the generic one of those that are about as fast as the fastest: noise does not decide between equals.
     void choose_group(const std::string& kernel, const std::vector<Trial>& trials) {
+        if (trials.size() <= first_variant) return;
         std::vector<double> ratios;
         for (const Trial& trial : trials) ratios.push_back(time_ratio(trial, trials[0], {kernel}));
-        const double fastest = *std::min_element(ratios.begin(), ratios.end());
+        const double fastest = *std::min_element(ratios.begin() + first_variant, ratios.end());
+        const double wins = 1 - std::max(margin(trials, {kernel}), typical_margin(trials));
         std::size_t winner = 0;
-        for (std::size_t i = 1; i < trials.size(); ++i) {
-            const bool fast = ratios[i] < 1 - win_margin && ratios[i] <= fastest + stay_margin;
+        for (std::size_t i = first_variant; i < trials.size(); ++i) {
+            const bool fast = ratios[i] < wins && ratios[i] <= fastest + stay_margin;
             if (fast && (winner == 0 || steps(trials[i].profile.group, best_.group) < steps(trials[winner].profile.group, best_.group)))
                 winner = i;
         }
-        for (std::size_t i = 1; i < trials.size(); ++i)
+        for (std::size_t i = first_variant; i < trials.size(); ++i)
             add_row({kernel}, fmt::format("groups of {}", trials[i].profile.group), trials[i], ratios[i], i == winner);
         if (winner > 0) best_.groups[kernel] = trials[winner].profile.group;
     }
 
-    /// What was found one by one, all together, and what is stored, beside the generic profile.
+    /// What was found one by one, all together, and what is stored, beside the generic profile, in twice as many rounds.
     void confirm() {
         const DeviceProfile found = best_;
-        const bool has_stored = rules_.stored && !same_launches(*rules_.stored, generic_);
         best_ = generic_;
         std::vector<DeviceProfile> candidates;
         if (!same_launches(found, generic_)) candidates.push_back(found);
+        const bool has_found = !candidates.empty(), has_stored = rules_.stored && !same_launches(*rules_.stored, generic_);
         if (has_stored) candidates.push_back(*rules_.stored);
         if (candidates.empty()) return;
-        const std::vector<Trial> trials = beside_best(candidates, "all together");
-        const Trial *fresh = nullptr, *stored = nullptr;
-        for (std::size_t i = 1; i < trials.size(); ++i)
-            (same_launches(trials[i].profile, found) && !fresh && !same_launches(found, generic_) ? fresh : stored) = &trials[i];
-        const auto wins = [&](const Trial* trial, const Trial& over, double margin) {
-            return trial && time_ratio(*trial, over, differing(trial->profile, over.profile)) < 1 - margin;
+        std::vector<Trial> trials = beside_best(candidates, "all together", 2 * rules_.rounds);
+        Trial* fresh = has_found ? &trials[first_variant] : nullptr;
+        const Trial* stored = has_stored && trials.size() == first_variant + candidates.size() ? &trials.back() : nullptr;
+        if (fresh) drop_groups(trials, *fresh);
+        const auto ratio = [&](const Trial& trial, const Trial& over) {
+            return same_launches(trial.profile, over.profile) ? 1 : time_ratio(trial, over, differing(trial.profile, over.profile));
         };
-        const Trial* chosen = wins(stored, trials[0], stay_margin) ? stored : nullptr;
-        if (chosen ? wins(fresh, *chosen, win_margin) : wins(fresh, trials[0], win_margin)) chosen = fresh;
+        const double noise = noise_between(trials[1], trials[0]);
+        const Trial* chosen = stored && ratio(*stored, trials[0]) < 1 - stay_margin + noise ? stored : nullptr;
+        if (fresh && ratio(*fresh, chosen ? *chosen : trials[0]) < 1 - std::max(win_margin, 2 * noise)) chosen = fresh;
         if (chosen) best_ = chosen->profile;
-        for (const Trial* trial : {fresh, stored})
-            if (trial)
-                add_row({}, trial == fresh ? "all of these" : "as tuned before", *trial, time_ratio(*trial, trials[0]), trial == chosen);
+        if (fresh) add_row({}, "all that is kept above", *fresh, time_ratio(*fresh, trials[0]), fresh == chosen);
+        if (stored) add_row({}, "as tuned before", *stored, time_ratio(*stored, trials[0]), stored == chosen);
     }
 
+    /// Groups of single kernels that do not win once more are left out; nothing else depends on them.
+    void drop_groups(const std::vector<Trial>& trials, Trial& fresh) {
+        DeviceProfile plain = fresh.profile;
+        plain.groups.clear();
+        if (!same_launches(plain, generic_)) return;  // they were measured with another width, block or form of maps
+        const double wins = 1 - typical_margin(trials);
+        for (auto group = fresh.profile.groups.begin(); group != fresh.profile.groups.end();) {
+            const double ratio = time_ratio(fresh, trials[0], {group->first});
+            const bool stays = ratio < wins;
+            if (!stays) rows_.push_back({group->first, fmt::format("groups of {}, again", group->second), ratio, fresh.refused});
+            group = stays ? std::next(group) : fresh.profile.groups.erase(group);
+        }
+    }
+
+    /// Kernels that are worth code of their own.
+    static std::set<std::string> heavy_kernels(const Trial& trial) {
+        std::set<std::string> kernels;
+        const KernelTimes& first = trial.rounds.front();
+        for (const auto& [kernel, seconds] : first)
+            if (seconds >= least_share * sum_of(first, {})) kernels.insert(kernel);
+        return kernels;
+    }
+
+    static double margin(const std::vector<Trial>& trials, const std::set<std::string>& kernels) {
+        return std::max(win_margin, 2 * noise_between(trials[1], trials[0], kernels));
+    }
+
+    /// That of the kernel in the middle: one kernel may be quiet by chance.
+    static double typical_margin(const std::vector<Trial>& trials) {
+        std::vector<double> margins;
+        for (const std::string& kernel : heavy_kernels(trials[0])) margins.push_back(margin(trials, {kernel}));
+        std::sort(margins.begin(), margins.end());
+        return margins.empty() ? win_margin : margins[margins.size() / 2];
+    }
+
+    static constexpr std::size_t first_variant = 2;  // among trials
     const Workload& work_;
     const DeviceInfo& info_;
     const TuneRules& rules_;

@@ -12,7 +12,7 @@
 
 namespace pencil {
 
-/// A variant must take less time than what it replaces by this share.
+/// A variant must take less time than what it replaces by this share, and by twice the noise, which a second trial of what it replaces tells.
 constexpr double win_margin = 0.07;
 /// What is stored needs to win by less than something new: a choice that is as good as another does not change from run to run.
 constexpr double stay_margin = 0.5 * win_margin;
