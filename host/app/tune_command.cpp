@@ -1,6 +1,7 @@
 // `pencil tune`: measures variants of the kernels on a device and keeps what is faster, for all renders on it.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 
@@ -22,10 +23,17 @@ std::string outcome(const TuneRow& row) {
 }
 
 void print_rows(const std::vector<TuneRow>& rows) {
-    std::cout << fmt::format("{:<28}{:<28}{:>10}  {}\n", "kernel", "variant", "time ratio", "kept");
+    std::size_t kernels = 6, variant = 7;  // of the words above the columns
+    for (const TuneRow& row : rows) {
+        kernels = std::max(kernels, row.kernels.size());
+        variant = std::max(variant, row.variant.size());
+    }
+    const auto print = [&](const std::string& a, const std::string& b, const std::string& c, const std::string& d) {
+        std::cout << fmt::format("{:<{}}  {:<{}}  {:>10}  {}\n", a, kernels, b, variant, c, d);
+    };
+    print("kernel", "variant", "time ratio", "kept");
     for (const TuneRow& row : rows)
-        std::cout << fmt::format("{:<28}{:<28}{:>10}  {}\n", row.kernels, row.variant,
-                                 std::isfinite(row.ratio) ? fmt::format("{:.2f}", row.ratio) : "-", outcome(row));
+        print(row.kernels, row.variant, std::isfinite(row.ratio) ? fmt::format("{:.2f}", row.ratio) : "-", outcome(row));
 }
 
 void print_profile(const DeviceProfile& profile) {

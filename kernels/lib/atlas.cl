@@ -33,11 +33,12 @@ static inline void prefetch_radiance(const Footprint *f, RADIANCE_ATLAS radiance
 #endif
 }
 
-/// Radiance (rgb) and density weight 1/D (w) of lane l of footprints in `tile`, by bilinear interpolation. DEVIATION: 1/D is interpolated, not D:
+/// Radiance (rgb) and density weight 1/D (w) of lane l of footprints in `tile`, by bilinear interpolation; `stride` of the tile. DEVIATION: 1/D is interpolated, not D:
 /// it is what is used. Devices may round the interpolation weights of images to 8 bits: docs/conventions.md has the bound.
-static inline float4 fetch_radiance(RADIANCE_ATLAS radiance, int tile, const Footprint *f, uint l, int n) {
+static inline float4 fetch_radiance(RADIANCE_ATLAS radiance, int tile, const Footprint *f, uint l, int stride) {
     float fx = LANE_FLOAT(f->fx, l), fy = LANE_FLOAT(f->fy, l);
 #if PENCIL_ATLAS_IMAGE
+    (void)stride;
     // The centre of texel (x, y) is at (x + 1/2, y + 1/2).
     float4 place = (float4)(LANE_INT(f->x, l) + 0.5f + fx, LANE_INT(f->y, l) + 0.5f + fy, tile, 0.0f);
     return read_imagef(radiance, atlas_sampler, place);
@@ -45,7 +46,7 @@ static inline float4 fetch_radiance(RADIANCE_ATLAS radiance, int tile, const Foo
     (void)tile;
     // Two texels of a row are loaded at once.
     global const float *texel = (global const float *)(radiance + LANE_INT(f->index, l));
-    float8 upper = vload8(0, texel), lower = vload8(0, texel + 4 * PENCIL_TILE_STRIDE(n));
+    float8 upper = vload8(0, texel), lower = vload8(0, texel + 4 * stride);
     float8 row = upper + fy * (lower - upper);
     return row.lo + fx * (row.hi - row.lo);
 #endif

@@ -65,7 +65,7 @@ static inline float4 far_end(const VisibilityMap *map, RADIANCE_ATLAS radiance, 
     if (cell.x != cell.y || cell.x < 0)
         return mixed_far_end(map, radiance, tile, footprint_corner(back, l), LANE_FLOAT(back->fx, l), LANE_FLOAT(back->fy, l), cop,
                              direction);
-    float4 light = fetch_radiance(radiance, tile, aimed, l, map->n);
+    float4 light = fetch_radiance(radiance, tile, aimed, l, PENCIL_TILE_STRIDE(map->n));
     light.w = path_to_plane(map->planes[cell.x], cop, direction);
     return light;
 }

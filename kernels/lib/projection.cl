@@ -44,10 +44,10 @@ static inline void aim_at_pencil(const SurfelPacket *s, const VisibilityMap *map
 }
 
 /// Adds what surfel number `surfel` of the block receives along its aimed direction from the centre of `tile` to the sums.
-static inline void add_seen(const Aimed *block, uint surfel, RADIANCE_ATLAS radiance, int tile, int n, ProjectionSums *sums) {
+static inline void add_seen(const Aimed *block, uint surfel, RADIANCE_ATLAS radiance, int tile, int stride, ProjectionSums *sums) {
     const Aimed *aimed = block + surfel / PENCIL_WIDTH;
     uint l = surfel % PENCIL_WIDTH;
-    float4 texel = fetch_radiance(radiance, tile, &aimed->f, l, n);
+    float4 texel = fetch_radiance(radiance, tile, &aimed->f, l, stride);
     float weight = LANE_FLOAT(aimed->weight, l);
     if (PENCIL_CELL_GRID == 0) weight *= texel.w;
     sums->light[surfel] += weight * (float4)(texel.xyz, 1.0f);
@@ -62,8 +62,9 @@ static inline void add_lanes(const Aimed *aimed, const int *lanes, RADIANCE_ATLA
         packet_store_packed(p * PENCIL_WIDTH + PACKET_LANES, lanes[p], list + count);
         count += popcount(lanes[p]);
     }
+    const int stride = PENCIL_TILE_STRIDE(n);
     // The remainder changes nothing, but is a constant where a block is one surfel, and private arrays can then be registers.
-    for (int k = 0; k < count; ++k) add_seen(aimed, (uint)list[k] % (PENCIL_BLOCK * PENCIL_WIDTH), radiance, tile, n, sums);
+    for (int k = 0; k < count; ++k) add_seen(aimed, (uint)list[k] % (PENCIL_BLOCK * PENCIL_WIDTH), radiance, tile, stride, sums);
 }
 
 /// Irradiance from the sums of surfel l of the block: E = pi sum(L w) / sum(w), and the printed form E = 2 pi / n_v^2 sum(D) sum(L cos/D).

@@ -21,7 +21,7 @@ kernel void octahedral_lookup(global const float *x, global const float *y, glob
             Footprint f =
                 map_footprint_in(i, PACKET_LOAD(x + at) - cops[i].x, PACKET_LOAD(y + at) - cops[i].y, PACKET_LOAD(z + at) - cops[i].z, n);
 #pragma unroll
-            for (int l = 0; l < PENCIL_WIDTH; ++l) sums[p][l] += fetch_radiance(radiance, i, &f, l, n);
+            for (int l = 0; l < PENCIL_WIDTH; ++l) sums[p][l] += fetch_radiance(radiance, i, &f, l, PENCIL_TILE_STRIDE(n));
         }
     }
     for (int p = 0; p < PENCIL_BLOCK; ++p)

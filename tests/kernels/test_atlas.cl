@@ -16,7 +16,7 @@ kernel void look_up_atlas(global const float *x, global const float *y, global c
     for (int l = 0; l < PENCIL_WIDTH; ++l) {
         int tile = (first + l) % tile_count;
         f.index = index + tile * MAP_STORED(n);
-        filtered[first + l] = fetch_radiance(radiance, tile, &f, l, n);
+        filtered[first + l] = fetch_radiance(radiance, tile, &f, l, PENCIL_TILE_STRIDE(n));
         texels[first + l] = radiance_texel(radiance, tile, footprint_corner(&f, l), n);
     }
 }
