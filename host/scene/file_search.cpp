@@ -88,35 +88,51 @@ bool FileSearch::is_allowed(const fs::path& file) const {
 
 fs::path FileSearch::find(const std::string& name, const fs::path& holder, const std::string& where) const {
     const fs::path path(portable(name, where));
-    std::vector<fs::path> places{holder};
-    places.insert(places.end(), folders_.begin(), folders_.end());
-    places.push_back(scene_folder_);
-    std::vector<fs::path> candidates;
-    if (!has_drive(path.string()))
-        for (const fs::path& place : places) candidates.push_back(place / path);  // an absolute path replaces the folder
-    const fs::path* found = nullptr;
+    const std::vector<fs::path> places = places_of(path, holder);
+    if (std::optional<fs::path> there = find_there(name, path, holder, places, where)) return *there;
+    const auto inside = std::find_if(
+        places.begin(), places.end(), [&](const fs::path& place) { return is_allowed(place); });
+    const auto outside = std::find_if(places.begin(), places.end(), [&](const fs::path& place) { return !is_allowed(place); });
+    if (outside != places.end()) refuse(name, *outside, where);
+    if (inside == places.end()) refuse(name, where);
+    return *inside;
+}
+
+std::optional<fs::path> FileSearch::find_if_there(const std::string& name, const fs::path& holder, const std::string& where) const {
+    const fs::path path(portable(name, where));
+    return find_there(name, path, holder, places_of(path, holder), where);
+}
+
+std::vector<fs::path> FileSearch::folders_of(const fs::path& holder) const {
+    std::vector<fs::path> folders{holder};
+    folders.insert(folders.end(), folders_.begin(), folders_.end());
+    folders.push_back(scene_folder_);
+    return folders;
+}
+
+/// What the name may mean.
+std::vector<fs::path> FileSearch::places_of(const fs::path& path, const fs::path& holder) const {
+    std::vector<fs::path> places;
+    if (has_drive(path.string())) return places;
+    for (const fs::path& folder : folders_of(holder)) places.push_back(folder / path);  // an absolute path replaces the folder
+    return places;
+}
+
+/// What exists outside is meant, and may be allowed: nothing stands in for it.
+std::optional<fs::path> FileSearch::find_there(const std::string& name, const fs::path& path, const fs::path& holder,
+                                               const std::vector<fs::path>& places, const std::string& where) const {
+    std::error_code error;
     const fs::path* outside = nullptr;
-    bool is_outside = false;  // and not only named
-    for (const fs::path& candidate : candidates) {
-        std::error_code error;
-        if (!is_allowed(candidate)) {
-            const bool exists = fs::exists(candidate, error);
-            if (!outside || exists) outside = &candidate;
-            is_outside = is_outside || exists;
-        } else if (fs::exists(candidate, error)) {
-            return candidate;
-        } else if (!found) {
-            found = &candidate;
-        }
-    }
-    const fs::path other = is_outside ? fs::path() : stand_in(path, places);
-    if (!other.empty()) {
-        problems_->approximate(where, in_quotes(name) + " is not there; " + in_quotes(other.string()) + " is read in its place");
-        return other;
+    for (const fs::path& place : places) {
+        if (!fs::exists(place, error)) continue;
+        if (is_allowed(place)) return place;
+        outside = &place;
     }
     if (outside) refuse(name, *outside, where);
-    if (!found) refuse(name, where);
-    return *found;
+    fs::path other = stand_in(path, folders_of(holder));
+    if (other.empty()) return std::nullopt;
+    problems_->approximate(where, in_quotes(name) + " is not there; " + in_quotes(other.string()) + " is read in its place");
+    return other;
 }
 
 /// Scenes come from systems where case does not matter, and from folders of other machines: the more of the path fits, the better.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,8 +23,16 @@ public:
     /// slashes; the first that exists, else one that differs in case or lies in fewer folders, or else the first. SceneError for a name that
     /// leads outside.
     std::filesystem::path find(const std::string& name, const std::filesystem::path& holder, const std::string& where) const;
+    /// The same, or none where find() would give or refuse what does not exist.
+    std::optional<std::filesystem::path> find_if_there(const std::string& name, const std::filesystem::path& holder,
+                                                       const std::string& where) const;
 
 private:
+    std::vector<std::filesystem::path> folders_of(const std::filesystem::path& holder) const;
+    std::vector<std::filesystem::path> places_of(const std::filesystem::path& path, const std::filesystem::path& holder) const;
+    std::optional<std::filesystem::path> find_there(const std::string& name, const std::filesystem::path& path,
+                                                    const std::filesystem::path& holder, const std::vector<std::filesystem::path>& places,
+                                                    const std::string& where) const;
     bool is_allowed(const std::filesystem::path& file) const;
     /// Empty if there is none.
     std::filesystem::path stand_in(const std::filesystem::path& path, const std::vector<std::filesystem::path>& folders) const;

@@ -69,4 +69,9 @@ std::vector<std::string> Problems::warnings() const {
     return result;
 }
 
+std::string without_place(const SceneError& error, const std::string& where) {
+    const std::string message = error.what(), place = where + ": ";
+    return message.rfind(place, 0) == 0 ? message.substr(place.size()) : message;
+}
+
 }  // namespace pencil

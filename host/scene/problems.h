@@ -56,4 +56,7 @@ private:
     std::size_t untold_errors_ = 0;
 };
 
+/// The message of an error without the place that it begins with, if that is `where`.
+std::string without_place(const SceneError& error, const std::string& where);
+
 }  // namespace pencil

@@ -109,11 +109,21 @@ std::string from_utf16(std::string_view text, bool big_endian) {
     return result;
 }
 
+constexpr std::string_view utf8_mark = "\xEF\xBB\xBF";
+
+bool has_utf16_mark(std::string_view text) { return text.substr(0, 2) == "\xFF\xFE" || text.substr(0, 2) == "\xFE\xFF"; }
+
 }  // namespace
 
+bool has_encoding_mark(std::string_view text) { return has_utf16_mark(text) || text.substr(0, utf8_mark.size()) == utf8_mark; }
+
+std::string decoded_by_mark(std::string_view text) {
+    if (has_utf16_mark(text)) return from_utf16(text, text[0] == '\xFE');
+    return std::string(has_encoding_mark(text) ? text.substr(utf8_mark.size()) : text);
+}
+
 std::string as_utf8(std::string text) {
-    const std::string_view mark = std::string_view(text).substr(0, 2);
-    if (mark == "\xFF\xFE" || mark == "\xFE\xFF") return from_utf16(text, mark[0] == '\xFE');
+    if (has_utf16_mark(text)) return decoded_by_mark(text);
     if (is_utf8(text)) return text;
     std::string result;
     for (const char c : text) append_utf8(result, static_cast<unsigned char>(c));

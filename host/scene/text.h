@@ -17,6 +17,11 @@ bool is_utf8(std::string_view text);
 /// Text in UTF-16 with its mark, or else in Latin-1 where it is not UTF-8, as UTF-8.
 std::string as_utf8(std::string text);
 
+/// True if the first bytes are the mark of UTF-16 or UTF-8.
+bool has_encoding_mark(std::string_view text);
+/// Text with such a mark as UTF-8 without it; other text as it is.
+std::string decoded_by_mark(std::string_view text);
+
 std::string_view trimmed(std::string_view text);
 /// The first line that is neither empty nor a comment after #, trimmed.
 std::string_view first_statement(std::string_view text);

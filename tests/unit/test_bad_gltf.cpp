@@ -148,8 +148,47 @@ TEST_F(BadGltf, FilesElsewhere) {
         EXPECT_NE(message_of(builder.gltf()), "") << uri;
         builder = good();
         builder.json["images"] = {{{"uri", uri}}};
-        EXPECT_NE(message_of(builder.gltf()), "") << uri;
+        const std::string message = message_of(builder.gltf());  // an error, or a picture that is not there
+        EXPECT_TRUE(!message.empty() || has_warning(load(builder), "is not there: materials go without it")) << uri;
     }
+}
+
+TEST_F(BadGltf, PicturesThatAreNotThere) {
+    GltfBuilder builder;
+    builder.add("images", {{"uri", "a%20b.png"}});
+    builder.add("textures", {{"source", 0}});
+    builder.material({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}, {"baseColorFactor", {1, 0.5, 0, 1}}}},
+                      {"emissiveTexture", {{"index", 0}}},
+                      {"emissiveFactor", {1, 1, 1}}});
+    const Scene scene = load(builder);
+    EXPECT_TRUE(has_warning(scene, "picture \"a b.png\" is not there"));
+    EXPECT_TRUE(has_warning(scene, "emits nothing, for want of its emissive texture"));
+    EXPECT_EQ(scene.materials.at(0).albedo, glm::vec3(1, 0.5F, 0));
+    EXPECT_FALSE(scene.shapes.at(0).emits);
+    LoadOptions strict;
+    strict.strict = true;
+    EXPECT_THROW(load_scene(folder_ / "scene.gltf", strict), SceneError);
+}
+
+TEST_F(BadGltf, VerticesThatAreNowhere) {
+    GltfBuilder builder;
+    const float infinite = std::numeric_limits<float>::infinity();
+    const Json primitive = {{"attributes", {{"POSITION", builder.floats({0, 0, 0, 1, 0, 0, 0, 1, 0, infinite, 0, 0}, "VEC3")}}},
+                            {"indices", builder.accessor(std::vector<std::uint16_t>{0, 1, 2, 0, 1, 3}, "SCALAR", 5123)}};
+    builder.add("nodes", {{"mesh", builder.mesh(primitive)}});
+    const Scene scene = load(builder);
+    EXPECT_EQ(scene.triangles.size(), 1U);
+    EXPECT_TRUE(has_warning(scene, "1 vertices are nowhere (NaN or infinite); the 1 triangles that use them are left out"));
+    builder = good();
+    builder.json["accessors"][0]["min"] = {0, 0, 0};
+    builder.json["accessors"][0]["max"] = {0.25, 0.25, 0};
+    EXPECT_TRUE(has_warning(load(builder), "2 vertices lie far outside the bounds"));
+}
+
+TEST_F(BadGltf, TheFirstVersionIsNamed) {
+    const std::string first = R"({"asset": {"version": "1.0"}, "meshes": {"m": {"primitives": []}}, "accessors": {"a": {}}})";
+    EXPECT_NE(message_of(first).find("version \"1.0\" is not supported; 2.0 is: convert the file with \"gltf-pipeline"), std::string::npos);
+    EXPECT_NE(message_of(R"({"meshes" : {"m": {}}})").find("version 1.0"), std::string::npos);
 }
 
 TEST_F(BadGltf, ImagesThatLie) {

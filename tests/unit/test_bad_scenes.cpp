@@ -52,10 +52,14 @@ TEST_F(BadScenes, TextThatIsNoScene) {
     expect_text_error("<scene version=\"3.0.0\">\n\n<sensor type=\"perspective\">\n</scene>", "scene.xml:4: this is not well-formed XML");
 }
 
-TEST_F(BadScenes, DoctypesAreRefused) {
-    expect_text_error("<!DOCTYPE scene [<!ENTITY a \"b\">]>\n<scene version=\"3.0.0\"/>", "DOCTYPE is not allowed");
-    expect_text_error("<!DOCTYPE scene SYSTEM \"file:///etc/passwd\">\n<scene version=\"3.0.0\">&a;</scene>", "DOCTYPE is not allowed");
-    expect_text_error("<scene version=\"3.0.0\"><!DOCTYPE a></scene>", "DOCTYPE is not allowed");
+/// They are passed over, and what they name is not opened.
+TEST_F(BadScenes, DoctypesDeclareNothing) {
+    const std::string refused = "a DOCTYPE may only name the kind of document";
+    expect_text_error("<!DOCTYPE scene [<!ENTITY a \"b\">]>\n<scene version=\"3.0.0\"/>", refused);
+    expect_text_error("<!DOCTYPE scene SYSTEM \"file:///etc/passwd\">\n<scene version=\"3.0.0\">&a;</scene>", "unexpected text \"&a;\"");
+    expect_text_error("<scene version=\"3.0.0\"><!DOCTYPE a></scene>", refused);
+    for (const char* doctype : {"<!DOCTYPE scene>", "<!DOCTYPE scene SYSTEM \"mitsuba.dtd\">", "<!DOCTYPE scene PUBLIC \"a\" \"b\">"})
+        EXPECT_EQ(error_of("<?xml version=\"1.0\"?>\n" + std::string(doctype) + in_scene("")), "") << doctype;
 }
 
 TEST_F(BadScenes, SizesAreLimited) {
@@ -221,7 +225,11 @@ TEST_F(BadScenes, Colours) {
     expect_error(bsdf("<rgb name=\"reflectance\" value=\"-0.1\"/>"), 4, "must not be negative");
     expect_error(bsdf("<rgb name=\"reflectance\" value=\"nan\"/>"), 4, "finite");
     expect_error(bsdf("<rgb name=\"reflectance\" value=\"0.1, 0.2\"/>"), 4, "has 2 numbers, not one or three");
-    expect_error(bsdf("<rgb name=\"reflectance\" value=\"#12345g\"/>"), 4, "is not a number");
+    expect_error(bsdf("<rgb name=\"reflectance\" value=\"#12345g\"/>"), 4, "is not a colour of the form \"#rrggbb\"");
+    expect_error(bsdf("<rgb name=\"reflectance\" value=\"#fa0\"/>"), 4, "\"#fa0\" is too short for a colour; write \"#ffaa00\"");
+    expect_error(bsdf("<srgb name=\"reflectance\" value=\"#ffaa0080\"/>"), 4, "write \"#ffaa00\", since a colour has no opacity");
+    expect_error(bsdf("<rgb name=\"reflectance\" value=\"0.1 0.2 0.3 1\"/>"), 4,
+                 "has 4 numbers, not one or three; a colour has no opacity");
     expect_error(bsdf("<rgb name=\"reflectance\"/>"), 4, "needs a value");
     expect_error(bsdf("<string name=\"reflectance\" value=\"red\"/>"), 4, "is not a colour");
     expect_error(bsdf("<spectrum name=\"reflectance\" filename=\"a.spd\"/>"), 4, "does not exist");

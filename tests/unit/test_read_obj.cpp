@@ -98,6 +98,20 @@ TEST(ReadObj, BadNumbersAndCounts) {
     EXPECT_EQ(defect("v \x1b[31m 0 0").find('\x1b'), std::string::npos);
 }
 
+TEST(ReadObj, MarksOfEncodings) {
+    const std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    std::string little = "\xff\xfe", big = "\xfe\xff";
+    for (const char c : text) {
+        little += {c, '\0'};
+        big += {'\0', c};
+    }
+    for (const std::string& bytes : {little, big, "\xef\xbb\xbf" + text}) {
+        const Mesh mesh = read_obj(bytes, "m.obj");
+        ASSERT_EQ(mesh.triangles.size(), 1U);
+        EXPECT_EQ(mesh.positions[1], glm::dvec3(1, 0, 0));
+    }
+}
+
 TEST(ReadObj, LinesGoOnAfterBackslashes) {
     const Mesh mesh = read_obj(square + "f 1 \\\r\n  2 \\\n3\n# a comment does not \\\nf 1 3 4\n", "m.obj");
     EXPECT_EQ(mesh.triangles, (std::vector<glm::uvec3>{{0, 1, 2}, {0, 2, 3}}));

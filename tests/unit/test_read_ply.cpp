@@ -61,6 +61,27 @@ TEST(ReadPly, ThreeEncodingsOneMesh) {
     expect_square(read_ply(binary(true), "m.ply"));
 }
 
+/// An arrow head, whose fan from the first corner would leave it.
+TEST(ReadPly, ConcavePolygonsAreCutAsTheyAre) {
+    const std::string vertices = "0 0 0\n1 2 0\n0 1 0\n-1 2 0\n", xyz = "property float x\nproperty float y\nproperty float z\n";
+    const std::string element = "element vertex 4\n" + xyz, face = "element face 1\nproperty list uchar int vertex_indices\n";
+    const std::string start = "ply\nformat ascii 1.0\n";
+    for (const std::string& text : {start + element + face + "end_header\n" + vertices + "4 1 2 3 0\n",
+                                    start + face + element + "end_header\n4 1 2 3 0\n" + vertices}) {
+        const Mesh mesh = read_ply(text, "m.ply");
+        ASSERT_EQ(mesh.triangles.size(), 2U);
+        double area = 0;
+        for (const glm::uvec3& t : mesh.triangles) {
+            const glm::dvec3 a = mesh.positions[t.y] - mesh.positions[t.x], b = mesh.positions[t.z] - mesh.positions[t.x];
+            EXPECT_GT(a.x * b.y - a.y * b.x, 0);
+            area += (a.x * b.y - a.y * b.x) / 2;
+        }
+        EXPECT_NEAR(area, 1, 1e-12);
+    }
+    const Mesh lost = read_ply(start + element + face + "end_header\n0 0 0\n1 nan 0\n0 1 0\n-1 2 0\n4 1 2 3 0\n", "m.ply");
+    EXPECT_EQ(lost.notes.size(), 1U);
+}
+
 TEST(ReadPly, NormalsForeignElementsAndCarriageReturns) {
     const std::string text =
         "ply\r\nformat ascii 1.0\r\nobj_info x\r\nelement material 1\r\nproperty list uint float shine\r\nproperty int8 k\r\n"

@@ -117,6 +117,22 @@ TEST_F(Transforms, NormalsGoByTheInverseTranspose) {
         ASSERT_GT(glm::dot(face_vector(scene, t), glm::dvec3(scene.normals[scene.triangles[t].corners.x])), 0.0);
 }
 
+/// As planes are exported. The winding tells the front.
+TEST_F(Transforms, SurfacesMayBeFlattened) {
+    const auto shape = [](const std::string& type, const std::string& operations) {
+        return "<shape type=\"" + type + "\"><transform name=\"to_world\">" + operations + "</transform></shape>";
+    };
+    const Scene scene = load_body(shape("rectangle", "<scale x=\"2\" y=\"3\" z=\"0\"/><rotate x=\"1\" y=\"0.3\" angle=\"77\"/>"));
+    ASSERT_EQ(scene.triangles.size(), 2U);
+    const Scene full = load_body(shape("rectangle", "<scale x=\"2\" y=\"3\"/><rotate x=\"1\" y=\"0.3\" angle=\"77\"/>"));
+    for (std::size_t i = 0; i < 2; ++i) expect_near(face_vector(scene, i), face_vector(full, i), 1e-12);
+    EXPECT_TRUE(scene.warnings.empty());
+    expect_error(shape("cube", "<scale z=\"0\"/>"), 3, "the cube is flattened, so that its two sides lie in one place; use a rectangle");
+    EXPECT_TRUE(has_warning(load_body(shape("rectangle", "<scale x=\"0\"/>")), "has no triangles"));
+    expect_error(shape("rectangle", "<scale x=\"0\" y=\"0\"/>"), 3, "leaves a line or a point of the shape; is a scale 0?");
+    expect_error(shape("rectangle", "<matrix value=\"1 2 3 0 2 4 6 0 3 6 9 0 0 0 0 1\"/>"), 3, "leaves a line or a point");
+}
+
 TEST_F(Transforms, BadTransformsNameTheirLine) {
     const auto light = [](const std::string& operation) {
         return "<emitter type=\"point\"><transform name=\"to_world\">\n" + operation + "</transform></emitter>\n";

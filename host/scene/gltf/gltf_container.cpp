@@ -24,7 +24,7 @@ std::uint64_t number_at(std::string_view bytes, std::size_t at) {
 std::string_view json_of_container(std::string_view bytes, const std::string& where) {
     if (bytes.size() < header_bytes + chunk_header_bytes) throw SceneError(where, "the file ends within its header");
     const std::uint64_t version = number_at(bytes, 4), length = number_at(bytes, 8);
-    if (version != 2) throw SceneError(where, "glTF version " + std::to_string(version) + " is not supported; version 2 is");
+    if (version != 2) throw SceneError(where, "glTF version " + std::to_string(version) + " is not supported" + advice_on_version);
     if (length > bytes.size()) {
         throw SceneError(
             where, "the file is truncated: it should have " + std::to_string(length) + " bytes and has " + std::to_string(bytes.size()));
@@ -62,7 +62,22 @@ void check_depth(std::string_view json, const std::string& where) {
     }
 }
 
+/// True if the key's value is an object.
+bool holds_object(std::string_view json, std::string_view key) {
+    constexpr std::string_view blanks = " \t\r\n";
+    std::size_t at = json.find(key);
+    if (at == std::string_view::npos) return false;
+    at = json.find_first_not_of(blanks, at + key.size());
+    if (at == std::string_view::npos || json[at] != ':') return false;
+    at = json.find_first_not_of(blanks, at + 1);
+    return at != std::string_view::npos && json[at] == '{';
+}
+
 }  // namespace
+
+const std::string advice_on_version = "; 2.0 is: convert the file with \"gltf-pipeline -i OLD -o NEW\"";
+
+bool is_gltf_1(std::string_view json) { return holds_object(json, "\"accessors\"") || holds_object(json, "\"meshes\""); }
 
 bool is_glb(std::string_view bytes) { return bytes.substr(0, 4) == "glTF"; }
 

@@ -6,6 +6,12 @@
 
 namespace pencil {
 
+/// What to do with a file of another version, for messages.
+extern const std::string advice_on_version;
+
+/// True if objects have names in the JSON, as in version 1.0, and not indices.
+bool is_gltf_1(std::string_view json);
+
 /// True if the bytes begin as a binary container does.
 bool is_glb(std::string_view bytes);
 

@@ -2,6 +2,7 @@
 #include "scene/gltf/gltf_file.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "scene/gltf/gltf_container.h"
 #include "scene/gltf/gltf_values.h"
@@ -34,24 +35,29 @@ struct Files {
     const FileSearch& search;
     std::filesystem::path folder;
     std::string where;
+    std::vector<std::string> missing;
 };
 
-std::filesystem::path find_file(const std::string& name, void* files) {
+std::optional<std::filesystem::path> find_file(const std::string& name, void* files) {
     const Files& of = *static_cast<const Files*>(files);
     if (name.substr(0, 5) == "data:") throw SceneError(of.where, "data URI " + in_quotes(name.substr(0, 40)) + " is not of a known type");
-    return of.search.find(name, of.folder, of.where);
+    return of.search.find_if_there(name, of.folder, of.where);
 }
 
-/// Always, or an error: tinygltf would go on searching elsewhere.
+/// tinygltf asks a second time, for the same below ".".
 bool file_exists(const std::string& name, void* files) {
-    find_file(name, files);
-    return true;
+    if (find_file(name, files)) return true;
+    std::vector<std::string>& missing = static_cast<Files*>(files)->missing;
+    if (name.substr(0, 2) != "./" && std::find(missing.begin(), missing.end(), name) == missing.end()) missing.push_back(name);
+    return false;
 }
 
 std::string same_path(const std::string& name, void*) { return name; }
 
 bool read_file(std::vector<unsigned char>* out, std::string*, const std::string& name, void* files) {
-    const std::string bytes = read_regular_file(find_file(name, files), max_mesh_bytes, static_cast<const Files*>(files)->where);
+    const std::optional<std::filesystem::path> file = find_file(name, files);
+    if (!file) return false;
+    const std::string bytes = read_regular_file(*file, max_mesh_bytes, static_cast<const Files*>(files)->where);
     out->assign(bytes.begin(), bytes.end());
     return true;
 }
@@ -84,8 +90,8 @@ GltfFile::GltfFile(const std::filesystem::path& file, const LoadOptions& options
 }
 
 void GltfFile::parse(const std::string& bytes) {
-    checked_gltf_json(bytes, shown(path_));
-    Files files{search_, path_.parent_path(), shown(path_)};
+    const std::string_view json = checked_gltf_json(bytes, shown(path_));
+    Files files{search_, path_.parent_path(), shown(path_), {}};
     tinygltf::TinyGLTF parser;
     parser.SetFsCallbacks({file_exists, same_path, read_file, write_nothing, &files});
     parser.SetImageLoader(keep_image, nullptr);
@@ -96,12 +102,19 @@ void GltfFile::parse(const std::string& bytes) {
                                     : parser.LoadASCIIFromString(&model_, &error, &warning, bytes.data(), size, "");
     if (!read) {
         check_required_extensions();  // they explain much of what looks wrong
+        if (is_gltf_1(json)) fail("glTF version 1.0 is not supported" + advice_on_version);
+        if (error.find("File not found") != std::string::npos && !files.missing.empty())  // a buffer: says why
+            read_regular_file(search_.find(files.missing.back(), files.folder, files.where), max_mesh_bytes, files.where);
         fail("this is not well-formed glTF: " + escaped(trimmed(error), 200));
     }
+    if (!files.missing.empty()) warning.clear();  // says the same, in other words
+    for (const std::string& name : files.missing)
+        approximate("picture " + in_quotes(name) +
+                    " is not there: materials go without it; put it beside the file, or give --allow FOLDER");
     for (const std::string& message : {error, warning})
         if (!trimmed(message).empty()) warn(escaped(trimmed(message), 200));
     if (model_.asset.version.substr(0, 2) != "2.")
-        fail("glTF version " + in_quotes(model_.asset.version) + " is not supported; 2.0 is: convert it with gltf-pipeline or Blender");
+        fail("glTF version " + in_quotes(model_.asset.version) + " is not supported" + advice_on_version);
 }
 
 /// The diffuse colour stands where the base colour does; the rest is left to those who read materials.

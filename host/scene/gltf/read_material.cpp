@@ -124,8 +124,13 @@ void MaterialReader::read_emission(int index, Shape& shape) {
         shape.radiance[static_cast<int>(i)] = static_cast<float>(value);
     }
     if (shape.radiance == glm::vec3(0.0F)) return;
-    shape.emits = true;
     shape.radiance_texture = textures_.add(material.emissiveTexture, colour_use, uv_set(index), "the emissive texture of " + label(index));
+    if (material.emissiveTexture.index >= 0 && shape.radiance_texture == no_texture) {  // which says what parts emit
+        file_.approximate(label(index) + " emits nothing, for want of its emissive texture");
+        shape.radiance = glm::vec3(0.0F);
+        return;
+    }
+    shape.emits = true;
     if (material.doubleSided) file_.approximate("surfaces that emit do so from their fronts alone, also where both sides are shown");
 }
 

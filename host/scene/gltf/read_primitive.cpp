@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 #include <numeric>
 #include <optional>
+
+#include "scene/meshes/nowhere.h"
 
 namespace pencil {
 namespace {
@@ -26,6 +29,8 @@ public:
         texture_coordinates("TEXCOORD_" + std::to_string(uv_set));
         colours();
         triangles();
+        leave_out_nowhere(nowhere_, mesh_);
+        for (const std::string& note : mesh_.notes) file_.approximate(label_ + ": " + note);
         return std::move(mesh_);
     }
 
@@ -50,10 +55,30 @@ private:
         const std::optional<int> accessor = attribute("POSITION");
         if (!accessor) file_.fail(label_ + " has no positions");
         const std::vector<double> values = accessors_.numbers(*accessor, 3, label_);
-        if (!std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }))
-            file_.fail(label_ + " has a position that is not finite");
         mesh_.positions.reserve(values.size() / 3);
-        for (std::size_t i = 0; i < values.size(); i += 3) mesh_.positions.emplace_back(values[i], values[i + 1], values[i + 2]);
+        for (std::size_t i = 0; i < values.size(); i += 3) {
+            const glm::dvec3 position(values[i], values[i + 1], values[i + 2]);
+            if (!is_finite(position)) nowhere_.push_back(static_cast<std::uint32_t>(mesh_.positions.size()));
+            mesh_.positions.push_back(is_finite(position) ? position : glm::dvec3(0.0));
+        }
+        check_bounds(file_.model().accessors[static_cast<std::size_t>(*accessor)]);
+    }
+
+    /// Files say where their vertices lie. A little more is rounding; more than as much again is damage.
+    void check_bounds(const tinygltf::Accessor& accessor) {
+        if (accessor.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT || accessor.minValues.size() != 3 || accessor.maxValues.size() != 3)
+            return;
+        const glm::dvec3 low(accessor.minValues[0], accessor.minValues[1], accessor.minValues[2]);
+        const glm::dvec3 high(accessor.maxValues[0], accessor.maxValues[1], accessor.maxValues[2]);
+        const double size = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+        if (!(size > 0.0) || !std::isfinite(size)) return;
+        const auto outside = std::count_if(mesh_.positions.begin(), mesh_.positions.end(), [&](const glm::dvec3& p) {
+            return glm::any(glm::lessThan(p, low - size)) || glm::any(glm::greaterThan(p, high + size));
+        });
+        if (outside > 0) {
+            file_.warn(label_ + ": " + std::to_string(outside) +
+                       " vertices lie far outside the bounds that the file gives (min and max of its accessor): is its buffer damaged?");
+        }
     }
 
     /// What is no direction is no normal: the face's own is used there.
@@ -64,9 +89,8 @@ private:
         std::size_t bad = 0;
         for (std::size_t i = 0; i < values.size(); i += 3) {
             const glm::dvec3 normal(values[i], values[i + 1], values[i + 2]);
-            const bool is_finite = std::isfinite(normal.x) && std::isfinite(normal.y) && std::isfinite(normal.z);
-            if (!is_finite) ++bad;
-            mesh_.normals.push_back(is_finite ? normal : glm::dvec3(0.0));
+            if (!is_finite(normal)) ++bad;
+            mesh_.normals.push_back(is_finite(normal) ? normal : glm::dvec3(0.0));
         }
         if (bad > 0) file_.approximate(label_ + ": " + std::to_string(bad) + " normals that are not finite are left out");
     }
@@ -133,6 +157,7 @@ private:
     const tinygltf::Primitive& primitive_;
     const std::string& label_;
     Mesh mesh_;
+    std::vector<std::uint32_t> nowhere_;  // vertices
 };
 
 }  // namespace

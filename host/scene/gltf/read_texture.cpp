@@ -56,6 +56,7 @@ int TextureReader::add(const tinygltf::TextureInfo& info, const TextureUse& use,
             "used");
     }
     const tinygltf::Image& image = file_.at(file_.model().images, texture.source, "image", user);
+    if (image.bufferView < 0 && image.image.empty() && !image.uri.empty()) return no_texture;  // told: the file is not there
     const std::string where = shown(file_.path()) + ": " + user, number = std::to_string(texture.source);
     const std::string name = file_.path().string() + " image " + number + (image.uri.empty() ? "" : " " + image.uri);
     const TextureSampling sampling = sampling_of(info, texture, user);

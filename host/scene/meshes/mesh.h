@@ -21,6 +21,10 @@ struct Mesh {
     std::vector<glm::uvec3> triangles;
     bool smooth = false;             // placing the mesh computes its vertex normals if it has none
     std::vector<std::string> notes;  // what the file has and the mesh has not, for warnings
+    // Of an OBJ:
+    std::vector<std::uint32_t> material;  // of each triangle: index into materials; or none
+    std::vector<std::string> materials;   // as usemtl names them, "" before the first
+    std::vector<std::string> libraries;   // operands of mtllib
 };
 
 struct MeshPlacement {

@@ -14,6 +14,8 @@ namespace pencil {
 namespace {
 
 constexpr double max_coordinate = 1e18;  // its square is still within single precision
+/// Volume of the unit cube's image relative to its edges below which it is none, and the winding alone tells the front.
+constexpr double flat = 1e-12;
 constexpr std::uint32_t not_placed = std::numeric_limits<std::uint32_t>::max();
 
 glm::dvec3 unit_or_zero(glm::dvec3 v) {
@@ -27,7 +29,8 @@ public:
         : mesh_(mesh), placement_(placement), where_(where), scene_(scene), placed_(mesh.positions.size(), not_placed) {
         const glm::dmat3 linear(placement.to_world);
         const glm::dmat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]), glm::cross(linear[0], linear[1]));
-        mirrors_ = glm::dot(linear[0], cofactors[0]) < 0.0;
+        const double edges = glm::length(linear[0]) * glm::length(linear[1]) * glm::length(linear[2]);
+        mirrors_ = glm::dot(linear[0], cofactors[0]) < -flat * edges;
         world_.reserve(mesh.positions.size());
         for (const glm::dvec3& position : mesh.positions) world_.push_back(to_world(position));
         if (placement.face_normals) return;

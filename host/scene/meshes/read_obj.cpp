@@ -41,25 +41,25 @@ class ObjReader {
 public:
     ObjReader(std::string_view text, const std::string& name, bool as_scene) : text_(text), name_(name), as_scene_(as_scene) {}
 
-    ObjFile read() {
+    Mesh read() {
         std::string joined;
         while (at_ < text_.size()) statement(next_line(joined));
         if (positions_.empty() && !text_.empty() && !trimmed(text_).empty())
             throw SceneError(name_, "no vertex in the whole file: is it an OBJ file?");
-        if (as_scene_ && groups_.assign(file_.mesh.triangles, file_.mesh.normals)) any_normal_ = true;
-        if (!any_normal_) file_.mesh.normals.clear();
-        if (!any_uv_) file_.mesh.uvs.clear();
-        if (!any_colour_) file_.mesh.colours.clear();
-        file_.mesh.smooth = !as_scene_;
-        std::replace_if(file_.mesh.positions.begin(), file_.mesh.positions.end(), is_nowhere, glm::dvec3(0.0));  // of faces left out
+        if (as_scene_ && groups_.assign(mesh_.triangles, mesh_.normals)) any_normal_ = true;
+        if (!any_normal_) mesh_.normals.clear();
+        if (!any_uv_) mesh_.uvs.clear();
+        if (!any_colour_) mesh_.colours.clear();
+        mesh_.smooth = !as_scene_;
+        std::replace_if(mesh_.positions.begin(), mesh_.positions.end(), is_nowhere, glm::dvec3(0.0));  // of faces left out
         tell_what_is_left_out();
-        return std::move(file_);
+        return std::move(mesh_);
     }
 
 private:
     void tell_what_is_left_out() {
         const auto tell = [&](std::size_t count, const char* what) {
-            if (count > 0) file_.mesh.notes.push_back(std::to_string(count) + what);
+            if (count > 0) mesh_.notes.push_back(std::to_string(count) + what);
         };
         tell(bad_normals_, " normals that are no numbers are left out");
         tell(thin_faces_, " faces of fewer than 3 corners are left out");
@@ -110,18 +110,18 @@ private:
             face(line);
         else if (keyword.find('\0') != std::string_view::npos)
             fail("binary data: this is not an OBJ file");
-        else if (as_scene_)
-            scene_statement(keyword, trimmed(line));
+        else
+            other_statement(keyword, trimmed(line));
     }
 
-    void scene_statement(std::string_view keyword, std::string_view operand) {
+    void other_statement(std::string_view keyword, std::string_view operand) {
         if (keyword == "mtllib") {
-            file_.libraries.emplace_back(operand);
+            mesh_.libraries.emplace_back(operand);
         } else if (keyword == "usemtl") {
-            const auto [place, is_new] = materials_.emplace(operand, static_cast<std::uint32_t>(file_.materials.size()));
-            if (is_new) file_.materials.emplace_back(operand);
+            const auto [place, is_new] = materials_.emplace(operand, static_cast<std::uint32_t>(mesh_.materials.size()));
+            if (is_new) mesh_.materials.emplace_back(operand);
             material_ = place->second;
-        } else if (keyword == "s") {
+        } else if (keyword == "s" && as_scene_) {
             const std::optional<long long> group = parse_integer(operand);  // or "off"
             group_ = group && *group > 0 ? static_cast<std::size_t>(*group) : 0;
         }
@@ -179,15 +179,14 @@ private:
             return;
         }
         if (any_nowhere_ &&
-            std::any_of(polygon_.begin(), polygon_.end(), [&](std::uint32_t i) { return is_nowhere(file_.mesh.positions[i]); })) {
+            std::any_of(polygon_.begin(), polygon_.end(), [&](std::uint32_t i) { return is_nowhere(mesh_.positions[i]); })) {
             ++lost_faces_;
             return;
         }
-        triangulate(polygon_, file_.mesh.positions, file_.mesh.triangles);
-        if (file_.mesh.triangles.size() > max_triangles) fail("more than " + std::to_string(max_triangles) + " triangles");
-        if (!as_scene_) return;
-        if (file_.materials.empty()) file_.materials.emplace_back();  // faces before the first usemtl
-        file_.material.resize(file_.mesh.triangles.size(), material_);
+        triangulate(polygon_, mesh_.positions, mesh_.triangles);
+        if (mesh_.triangles.size() > max_triangles) fail("more than " + std::to_string(max_triangles) + " triangles");
+        if (mesh_.materials.empty()) mesh_.materials.emplace_back();  // faces before the first usemtl
+        mesh_.material.resize(mesh_.triangles.size(), material_);
     }
 
     /// "p", "p/t", "p//n" or "p/t/n".
@@ -208,7 +207,7 @@ private:
         }
         const std::size_t uv = optional_index(part[1], uvs_.size(), word), normal = optional_index(part[2], normals_.size(), word);
         const std::size_t group = normal > 0 ? 0 : group_;
-        Mesh& mesh = file_.mesh;
+        Mesh& mesh = mesh_;
         const auto [place, is_new] =
             vertices_.emplace(Corner{position - 1, uv, normal, group}, static_cast<std::uint32_t>(mesh.positions.size()));
         if (is_new) {
@@ -258,13 +257,19 @@ private:
     std::map<std::string, std::uint32_t, std::less<>> materials_;
     std::uint32_t material_ = 0;
     bool any_normal_ = false, any_uv_ = false, any_colour_ = false, any_nowhere_ = false;
-    ObjFile file_;
+    Mesh mesh_;
 };
+
+Mesh read_text(std::string_view text, const std::string& name, bool as_scene) {
+    if (!has_encoding_mark(text)) return ObjReader(text, name, as_scene).read();
+    const std::string decoded = decoded_by_mark(text);
+    return ObjReader(decoded, name, as_scene).read();
+}
 
 }  // namespace
 
-Mesh read_obj(std::string_view text, const std::string& name) { return ObjReader(text, name, false).read().mesh; }
+Mesh read_obj(std::string_view text, const std::string& name) { return read_text(text, name, false); }
 
-ObjFile read_obj_file(std::string_view text, const std::string& name) { return ObjReader(text, name, true).read(); }
+Mesh read_obj_file(std::string_view text, const std::string& name) { return read_text(text, name, true); }
 
 }  // namespace pencil

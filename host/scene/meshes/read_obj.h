@@ -1,10 +1,9 @@
-// Wavefront OBJ: v, vn, vt, f, and for files opened as scenes usemtl, mtllib and s. All other statements are skipped.
+// Wavefront OBJ: v, vn, vt, f, usemtl, mtllib, and s for files opened as scenes. All other statements are skipped. Text is UTF-8, or UTF-16 with
+// its mark.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "scene/meshes/mesh.h"
 
@@ -14,13 +13,7 @@ namespace pencil {
 /// cut as they are. Normals and texture coordinates only where a face names them; normals that are no numbers are left out, with a note.
 Mesh read_obj(std::string_view text, const std::string& name);
 
-/// The file as its own scene. Where a face names no normals it is flat, or smooth within its smoothing group.
-struct ObjFile {
-    Mesh mesh;
-    std::vector<std::uint32_t> material;  // of each triangle: index into materials
-    std::vector<std::string> materials;   // as usemtl names them, "" before the first
-    std::vector<std::string> libraries;   // operands of mtllib
-};
-ObjFile read_obj_file(std::string_view text, const std::string& name);
+/// The file as its own scene. Where a face names no normals it is flat, or smooth within its smoothing group. Vertices have their colours.
+Mesh read_obj_file(std::string_view text, const std::string& name);
 
 }  // namespace pencil

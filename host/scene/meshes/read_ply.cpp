@@ -8,10 +8,16 @@
 #include <limits>
 
 #include "scene/meshes/linear_of_srgb.h"
+#include "scene/meshes/nowhere.h"
 #include "scene/meshes/ply_source.h"
+#include "scene/meshes/triangulate.h"
 
 namespace pencil {
 namespace {
+
+struct Polygon {
+    std::uint32_t first_triangle, corners;
+};
 
 double largest_of(PlyType type) {
     const bool is_signed = type == PlyType::i8 || type == PlyType::i16 || type == PlyType::i32;
@@ -37,9 +43,10 @@ public:
                 skip(element);
         }
         check_indices();
+        cut_concave_faces();
         mesh_.notes.insert(mesh_.notes.end(), header_.notes.begin(), header_.notes.end());
         if (thin_faces_ > 0) mesh_.notes.push_back(std::to_string(thin_faces_) + " faces of fewer than 3 corners are left out");
-        leave_out_bad_positions();
+        leave_out_nowhere(bad_positions_, mesh_);
         if (bad_normals_ > 0) mesh_.notes.push_back(std::to_string(bad_normals_) + " normals that are not finite are left out");
         mesh_.smooth = true;
         return std::move(mesh_);
@@ -112,7 +119,7 @@ private:
     glm::dvec3 normal_of(const std::vector<double>& row, const std::vector<int>& from) {
         glm::dvec3 result(0.0);
         for (int c = 0; c < 3; ++c) result[c] = row[static_cast<std::size_t>(from[static_cast<std::size_t>(c)])];
-        if (std::isfinite(result.x) && std::isfinite(result.y) && std::isfinite(result.z)) return result;
+        if (is_finite(result)) return result;
         ++bad_normals_;
         return glm::dvec3(0.0);
     }
@@ -135,7 +142,7 @@ private:
     glm::dvec3 finite_position(const std::vector<double>& row, const std::vector<int>& from) {
         glm::dvec3 result(0.0);
         for (int c = 0; c < 3; ++c) result[c] = row[static_cast<std::size_t>(from[static_cast<std::size_t>(c)])];
-        if (std::isfinite(result.x) && std::isfinite(result.y) && std::isfinite(result.z)) return result;
+        if (is_finite(result)) return result;
         bad_positions_.push_back(static_cast<std::uint32_t>(mesh_.positions.size()));
         return glm::dvec3(0.0);
     }
@@ -147,17 +154,6 @@ private:
             result[c] = std::isfinite(value) ? static_cast<float>(value) : 0.0F;
         }
         return result;
-    }
-
-    void leave_out_bad_positions() {
-        if (bad_positions_.empty()) return;
-        const auto is_bad = [&](std::uint32_t corner) { return std::binary_search(bad_positions_.begin(), bad_positions_.end(), corner); };
-        const std::size_t before = mesh_.triangles.size();
-        mesh_.triangles.erase(std::remove_if(mesh_.triangles.begin(), mesh_.triangles.end(),
-                                             [&](const glm::uvec3& t) { return is_bad(t.x) || is_bad(t.y) || is_bad(t.z); }),
-                              mesh_.triangles.end());
-        mesh_.notes.push_back(std::to_string(bad_positions_.size()) + " vertices are nowhere (NaN or infinite); the " +
-                              std::to_string(before - mesh_.triangles.size()) + " triangles that use them are left out");
     }
 
     void faces(const PlyElement& element) {
@@ -186,6 +182,7 @@ private:
     void face(const PlyProperty& property, const std::string& label) {
         const std::uint64_t corners = list_length(property);
         thin_faces_ += corners < 3 ? 1 : 0;
+        if (corners > 3) polygons_.push_back({static_cast<std::uint32_t>(mesh_.triangles.size()), static_cast<std::uint32_t>(corners)});
         std::uint32_t first = 0, previous = 0;
         for (std::uint64_t c = 0; c < corners; ++c) {
             const std::uint32_t corner = index(source_.read(property.type), label);
@@ -194,6 +191,23 @@ private:
             previous = corner;
         }
     }
+
+    /// Faces are fans so far, since they may stand before the vertices. Those with a vertex that is nowhere are left as they are.
+    void cut_concave_faces() {
+        std::vector<std::uint32_t> corners;
+        std::vector<glm::uvec3> triangles;
+        for (const Polygon& polygon : polygons_) {
+            const auto fan = mesh_.triangles.begin() + polygon.first_triangle;
+            corners = {fan->x, fan->y};
+            for (std::uint32_t i = 0; i + 2 < polygon.corners; ++i) corners.push_back((fan + i)->z);
+            if (std::any_of(corners.begin(), corners.end(), [&](std::uint32_t corner) { return is_nowhere(corner); })) continue;
+            triangles.clear();
+            triangulate(corners, mesh_.positions, triangles);
+            std::copy(triangles.begin(), triangles.end(), fan);  // as many
+        }
+    }
+
+    bool is_nowhere(std::uint32_t corner) const { return std::binary_search(bad_positions_.begin(), bad_positions_.end(), corner); }
 
     /// Strips end at -1; every other triangle of one is wound the other way round.
     void strip(const PlyProperty& property) {
@@ -265,6 +279,7 @@ private:
     const std::string& name_;
     Mesh mesh_;
     std::size_t bad_normals_ = 0, thin_faces_ = 0;
+    std::vector<Polygon> polygons_;             // of more than three corners
     std::vector<std::uint32_t> bad_positions_;  // ascending
 };
 

@@ -25,6 +25,22 @@ std::optional<glm::dvec3> parse_hex(std::string_view text) {
     return colour / 255.0;
 }
 
+/// What Mitsuba refuses, too, with what is meant. `text` has no form that is known.
+[[noreturn]] void fail_for_form(const XmlSource& source, pugi::xml_node node, const std::string& text, std::size_t count) {
+    const std::string tag = std::string("<") + node.name() + "> ", digits = text.substr(std::min<std::size_t>(text.size(), 1));
+    const std::string no_opacity = "a colour has no opacity: leave out the last, and put the bsdf into one of type \"mask\"";
+    if (count == 1 && digits.size() == 8)
+        source.fail(node, tag + in_quotes(text) + " has four parts; write " + in_quotes(text.substr(0, 7)) + ", since " + no_opacity);
+    if (count == 1 && digits.size() == 3) {
+        std::string full = "#";
+        for (const char c : digits) full += std::string(2, c);
+        source.fail(node, tag + in_quotes(text) + " is too short for a colour; write " + in_quotes(full));
+    }
+    if (count == 1) source.fail(node, tag + in_quotes(text) + " is not a colour of the form \"#rrggbb\"");
+    source.fail(node, tag + in_quotes(text) + " has " + std::to_string(count) + " numbers, not one or three" +
+                          (count == 4 ? "; " + no_opacity : ""));
+}
+
 void check_samples(XmlSource& source, pugi::xml_node node, const SampledSpectrum& spectrum, bool reflects) {
     bool too_bright = false;
     if (spectrum.values.size() < 2) source.fail(node, "a sampled spectrum needs at least two wavelength:value pairs");
@@ -65,13 +81,15 @@ glm::dvec3 parse_components(XmlSource& source, pugi::xml_node node, ColourUse us
         colour = *hex;
     else if (tag == "float" || tag == "integer")
         colour = glm::dvec3(token_number(source, node, text));
+    else if (parts.size() == 1 && parts[0][0] == '#')
+        fail_for_form(source, node, std::string(parts[0]), 1);
     else if (parts.size() == 1)
         colour =
             (tag == "spectrum" && use == ColourUse::emission ? uniform_emission() : glm::dvec3(1.0)) * token_number(source, node, parts[0]);
     else if (parts.size() == 3)
         for (int i = 0; i < 3; ++i) colour[i] = token_number(source, node, parts[static_cast<std::size_t>(i)]);
     else
-        source.fail(node, "<" + tag + "> " + in_quotes(text) + " has " + std::to_string(parts.size()) + " numbers, not one or three");
+        fail_for_form(source, node, text, parts.size());
     if (tag == "srgb")
         for (int i = 0; i < 3; ++i) colour[i] = srgb_to_linear(colour[i]);
     return colour;

@@ -27,7 +27,21 @@ double skewness(const glm::dmat4& m) {
     return edges > 0.0 ? std::abs(glm::dot(a / glm::length(a), glm::cross(b / glm::length(b), c / glm::length(c)))) : 0.0;
 }
 
+constexpr double singular = 1e-12;  // a few orders above the rounding of the determinant
+
+/// True if two directions stay two.
+bool keeps_a_plane(const glm::dmat4& m) {
+    for (int i = 0; i < 3; ++i) {
+        const glm::dvec3 a(m[i]), b(m[(i + 1) % 3]);
+        const double lengths = glm::length(a) * glm::length(b);
+        if (lengths > 0.0 && glm::length(glm::cross(a / glm::length(a), b / glm::length(b))) > singular) return true;
+    }
+    return false;
+}
+
 }  // namespace
+
+bool is_flat(const glm::dmat4& m) { return !(skewness(m) > singular); }
 
 std::string snake_case(const std::string& name) {
     std::string result;
@@ -188,11 +202,18 @@ glm::vec3 Properties::colour(const std::string& name, glm::vec3 absent, ColourUs
 }
 
 glm::dmat4 Properties::transform(const std::string& name) {
-    constexpr double singular = 1e-12;  // a few orders above the rounding of the determinant
     const pugi::xml_node parameter = take(name, "transform");
     if (!parameter) return glm::dmat4(1.0);
     const glm::dmat4 result = parse_transform(source_, parameter);
-    if (!(skewness(result) > singular)) fail(name, "transform " + in_quotes(name) + " is singular: it flattens space");
+    if (is_flat(result)) fail(name, "transform " + in_quotes(name) + " is singular: it flattens space");
+    return result;
+}
+
+glm::dmat4 Properties::placement(const std::string& name) {
+    const pugi::xml_node parameter = take(name, "transform");
+    if (!parameter) return glm::dmat4(1.0);
+    const glm::dmat4 result = parse_transform(source_, parameter);
+    if (!keeps_a_plane(result)) fail(name, "transform " + in_quotes(name) + " leaves a line or a point of the shape; is a scale 0?");
     return result;
 }
 

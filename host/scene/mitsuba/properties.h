@@ -47,6 +47,8 @@ public:
     std::vector<double> numbers(const std::string& name);
     /// Identity if absent; never singular.
     glm::dmat4 transform(const std::string& name);
+    /// The same of a surface, which may be flattened to a plane.
+    glm::dmat4 placement(const std::string& name);
 
     /// Known, and without effect here.
     void ignore(const std::vector<std::string>& names);
@@ -72,6 +74,9 @@ private:
     std::set<std::size_t> taken_;  // objects, by the node that names them
     std::vector<NestedObject> objects_;
 };
+
+/// True for what takes space to a plane, or less.
+bool is_flat(const glm::dmat4& m);
 
 /// "toWorld" to "to_world": Mitsuba 0.x names to those of 3.x.
 std::string snake_case(const std::string& name);

@@ -169,7 +169,7 @@ SceneMaterial BsdfReader::mask(Properties& p, int depth) {
     material.blended[1] = covered;
     material.id = scene_.materials[covered].id;
     material.model = MATERIAL_BLEND;
-    material.weight = opacity.value;
+    material.weight = opacity.missing ? 1.0F : opacity.value;
     material.weight_texture = opacity.texture;
     return material;
 }

@@ -74,13 +74,13 @@ void read_lens(Properties& p, const std::string& type, PerspectiveSensor& sensor
     p.ignore({"blades"});
 }
 
-PerspectiveSensor read(XmlSource& source, pugi::xml_node node, int depth) {
+PerspectiveSensor read_at_depth(XmlSource& source, pugi::xml_node node, int depth) {
     Properties p(source, node);
     const std::string type = node.attribute("type").value();
     const std::vector<NestedObject> inner = p.take_objects("sensor");
     if (type == "batch" && !inner.empty() && depth == 0) {
         p.approximate("", "is not supported: the first sensor inside is read");
-        return read(source, inner[0].node, depth + 1);
+        return read_at_depth(source, inner[0].node, depth + 1);
     }
     PerspectiveSensor sensor;
     read_type(p, type, sensor);
@@ -108,7 +108,7 @@ bool takes_pictures(const std::string& type) {
     return std::find(types.begin(), types.end(), type) != types.end();
 }
 
-PerspectiveSensor read_sensor(XmlSource& source, pugi::xml_node node) { return read(source, node, 0); }
+PerspectiveSensor read_sensor(XmlSource& source, pugi::xml_node node) { return read_at_depth(source, node, 0); }
 
 PerspectiveSensor default_sensor(const Scene& scene) {
     glm::dvec3 low = scene.positions.at(0), high = low;

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "scene/meshes/mesh.h"
+#include "scene/mitsuba/mtl_bsdfs.h"
 #include "scene/mitsuba/properties.h"
 #include "scene/mitsuba/read_bsdf.h"
 #include "scene/mitsuba/read_emitter.h"
@@ -17,7 +20,7 @@ namespace pencil {
 class ShapeReader {
 public:
     ShapeReader(XmlSource& source, Scene& scene, BsdfReader& bsdfs, EmitterReader& emitters)
-        : source_(source), scene_(scene), bsdfs_(bsdfs), emitters_(emitters) {}
+        : source_(source), scene_(scene), bsdfs_(bsdfs), emitters_(emitters), mtl_bsdfs_(source) {}
 
     /// Appends the shape to the scene: its copies, if it is an instance of a group; nothing, if it is a group.
     void read(pugi::xml_node node);
@@ -27,16 +30,24 @@ private:
     void read_instance(Properties& p);
     void read_members(Properties& group, const glm::dmat4& to_world);
     const Mesh& mesh_of(Properties& p, const std::string& kind, bool keep, Mesh& own);
-    std::uint32_t material_of(Properties& p, bool emits);
+    std::vector<std::uint32_t> materials_of(Properties& p, const Mesh& mesh, const Shape& shape);
+    std::vector<std::uint32_t> materials_by_name(Properties& p, const Mesh& mesh, const std::vector<NestedObject>& bsdfs, bool emits,
+                                                 const std::function<std::uint32_t()>& absent);
+    void check_names(const Mesh& mesh, const std::vector<NestedObject>& bsdfs);
+    std::uint32_t material_of(Properties& p, const std::vector<NestedObject>& bsdfs, bool emits);
+    std::uint32_t index_of(Properties& p, pugi::xml_node bsdf, pugi::xml_node named_at, bool emits);
     std::uint32_t default_material(bool emits);
     void read_emission(Properties& p, Shape& shape);
     void read_meters(Properties& p, const Shape& shape);
-    void place(Properties& p, const Mesh& mesh, const glm::dmat4& group_to_world, Shape shape, std::uint32_t material);
+    void place(Properties& p, const Mesh& mesh, const glm::dmat4& group_to_world, const Shape& shape,
+               const std::vector<std::uint32_t>& materials);
+    void place_part(Properties& p, const Mesh& mesh, const MeshPlacement& placement, Shape shape, std::uint32_t material);
 
     XmlSource& source_;
     Scene& scene_;
     BsdfReader& bsdfs_;
     EmitterReader& emitters_;
+    MtlBsdfs mtl_bsdfs_;
     std::map<std::size_t, Mesh> meshes_;  // of groups' members, by node
     std::int64_t default_material_[2] = {-1, -1};
     std::map<std::string, int> ordinals_;

@@ -26,7 +26,9 @@ Mesh read_file(Properties& p, const std::string& kind) {
     const std::filesystem::path file = p.source().find_file(p.text("filename", ""), p.node());
     const std::string bytes = read_regular_file(file, max_mesh_bytes, where), name = shown(file);
     const long long index = p.integer("shape_index", 0);
-    if (index < 0) p.fail("shape_index", "shape_index must not be negative");
+    if (kind == "serialized" && index < 0) p.fail("shape_index", "shape_index must not be negative");
+    if (kind != "serialized" && index >= 0 && p.has("shape_index"))
+        p.approximate("shape_index", "parts of such a file are not told apart: all of it is read");
     Mesh mesh = kind == "obj"   ? read_obj(bytes, name)
                 : kind == "ply" ? read_ply(bytes, name)
                                 : read_serialized(bytes, static_cast<std::size_t>(index), name);
@@ -62,7 +64,10 @@ Mesh read_shape_mesh(Properties& p, const std::string& kind) {
 }
 
 glm::dmat4 shape_to_world(Properties& p, const std::string& kind) {
-    const glm::dmat4 to_world = p.transform("to_world");
+    const glm::dmat4 to_world = p.placement("to_world");
+    const bool is_closed = kind == "cube" || kind == "sphere" || kind == "cylinder";
+    if (is_closed && is_flat(to_world))
+        p.fail("to_world", "the " + kind + " is flattened, so that its two sides lie in one place; use a rectangle or a disk");
     if (kind == "cylinder") return to_world * cylinder_frame(p);
     if (kind != "sphere") return to_world;
     const glm::dvec3 center = p.vector("center", glm::dvec3(0.0));

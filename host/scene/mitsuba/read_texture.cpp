@@ -20,9 +20,10 @@ bool same(const Texture& a, const Texture& b) {
 }  // namespace
 
 ColourSlot TextureReader::colour(Properties& p, const std::string& name, glm::vec3 absent, ColourUse use) {
-    ColourSlot slot{absent, no_texture};
+    ColourSlot slot{absent, no_texture, false};
     if (const auto texture = p.take_texture(name)) {
         slot = read(*texture, use, TextureUse::Channel::all);
+        if (slot.missing) slot.value = absent;
         if (use == ColourUse::reflectance && slot.value != glm::min(slot.value, glm::vec3(1.0F))) {
             p.approximate(name, in_quotes(name) + " is scaled beyond 1: cut to 1");
             slot.value = glm::min(slot.value, glm::vec3(1.0F));
@@ -36,11 +37,11 @@ ColourSlot TextureReader::colour(Properties& p, const std::string& name, glm::ve
 NumberSlot TextureReader::number(Properties& p, const std::string& name, double absent) {
     if (const auto texture = p.take_texture(name)) {
         const ColourSlot slot = read(*texture, ColourUse::coefficient, TextureUse::Channel::luminance);
-        return {luminance(slot.value), slot.texture};
+        return {slot.missing ? static_cast<float>(absent) : luminance(slot.value), slot.texture, slot.missing};
     }
     // Some exporters write numbers as grey colours.
     const glm::vec3 value = p.colour(name, glm::vec3(static_cast<float>(absent)), ColourUse::coefficient);
-    return {value.x == value.y && value.y == value.z ? value.x : luminance(value), no_texture};
+    return {value.x == value.y && value.y == value.z ? value.x : luminance(value), no_texture, false};
 }
 
 ColourSlot TextureReader::read(const NestedObject& object, ColourUse use, TextureUse::Channel channel) {
@@ -65,7 +66,7 @@ ColourSlot TextureReader::read_new(const NestedObject& object, ColourUse use, Te
     const std::string& type = object.type;
     ColourSlot slot;
     if (type == "bitmap" || type == "ldrtexture" || type == "exrtexture")
-        slot = bitmap(p, channel);
+        slot = source_.is_of_another_format(object.node) ? readable_bitmap(p, use, channel) : bitmap(p, use, channel);
     else if (type == "checkerboard")
         slot = checkerboard(p, use, channel);
     else if (type == "scale")
@@ -78,12 +79,31 @@ ColourSlot TextureReader::read_new(const NestedObject& object, ColourUse use, Te
     return slot;
 }
 
-ColourSlot TextureReader::bitmap(Properties& p, TextureUse::Channel channel) {
+/// Scenes are published without some of their pictures; how bright a lamp is cannot be guessed.
+ColourSlot TextureReader::bitmap(Properties& p, ColourUse colours, TextureUse::Channel channel) {
     const TextureSampling sampling = read_sampling(p);
     const TextureUse use = read_use(p, channel);
     if (!p.has("filename")) p.fail("", "needs a filename");
-    const std::filesystem::path file = source_.find_file(p.text("filename", ""), p.node());
-    return {glm::vec3(1.0F), add_texture_file(scene_, file, use, source_.where(p.node()), sampling)};
+    const std::string name = p.text("filename", "");
+    std::optional<std::filesystem::path> file = source_.find_file_if_there(name, p.node());
+    if (!file && colours == ColourUse::emission) file = source_.find_file(name, p.node());
+    if (file) return {glm::vec3(1.0F), add_texture_file(scene_, *file, use, source_.where(p.node()), sampling), false};
+    return missing(p, "picture " + in_quotes(name) + " is not there: the default of what it is for stands in for it; " +
+                          "put it into the scene's folder, or give --allow FOLDER");
+}
+
+/// Of libraries of materials, as files of the web have them: what cannot be read is as good as not there.
+ColourSlot TextureReader::readable_bitmap(Properties& p, ColourUse colours, TextureUse::Channel channel) {
+    try {
+        return bitmap(p, colours, channel);
+    } catch (const SceneError& error) {
+        return missing(p, without_place(error, source_.where(p.node())) + "; it is left out");
+    }
+}
+
+ColourSlot TextureReader::missing(Properties& p, const std::string& message) {
+    p.approximate("filename", message);
+    return {glm::vec3(1.0F), no_texture, true};
 }
 
 ColourSlot TextureReader::checkerboard(Properties& p, ColourUse use, TextureUse::Channel channel) {
@@ -98,7 +118,7 @@ ColourSlot TextureReader::checkerboard(Properties& p, ColourUse use, TextureUse:
         texture.colours[i] = channel == TextureUse::Channel::all ? slot.value : glm::vec3(luminance(slot.value));
     }
     p.ignore({"line_width"});
-    return {glm::vec3(1.0F), append(std::move(texture))};
+    return {glm::vec3(1.0F), append(std::move(texture)), false};
 }
 
 /// 0.x: a nested texture times "scale".
@@ -106,7 +126,7 @@ ColourSlot TextureReader::scaled(Properties& p, ColourUse use, TextureUse::Chann
     const glm::vec3 factor = p.colour("scale", glm::vec3(1.0F), ColourUse::coefficient);
     const std::vector<NestedObject> inner = p.take_objects("texture");
     if (inner.size() > 1) p.fail("", "needs one nested texture");
-    if (inner.empty()) return {factor * p.colour("value", glm::vec3(1.0F), use), no_texture};
+    if (inner.empty()) return {factor * p.colour("value", glm::vec3(1.0F), use), no_texture, false};
     ColourSlot slot = read_nested(inner[0], use, channel, depth + 1);
     slot.value *= factor;
     return slot;
@@ -119,7 +139,7 @@ ColourSlot TextureReader::vertex_colours(Properties& p) {
     Texture texture;
     texture.kind = Texture::Kind::vertex_colours;
     texture.name = "vertex colours";
-    return {glm::vec3(static_cast<float>(p.number("scale", 1))), append(std::move(texture))};
+    return {glm::vec3(static_cast<float>(p.number("scale", 1))), append(std::move(texture)), false};
 }
 
 /// Stands in for what is not supported: one of its colours, or grey.
@@ -135,7 +155,7 @@ ColourSlot TextureReader::mean(Properties& p, ColourUse use) {
         p.approximate("", "is not supported: read as one plain colour");
     p.ignore({"color0", "color1", "line_width", "edge_color", "edge_width", "interior_color", "uscale", "vscale", "uoffset", "voffset",
               "to_uv"});
-    return {colour, no_texture};
+    return {colour, no_texture, false};
 }
 
 int TextureReader::append(Texture texture) {

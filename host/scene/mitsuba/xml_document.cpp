@@ -1,4 +1,4 @@
-// pugixml expands no entities and follows no external ones; the limits here keep the tree itself small.
+// pugixml expands no entities and follows no external ones, nor the file that a DOCTYPE names; the limits here keep the tree itself small.
 #include "scene/mitsuba/xml_document.h"
 
 #include <algorithm>
@@ -11,6 +11,8 @@ namespace pencil {
 namespace {
 
 constexpr std::ptrdiff_t max_elements = 1'000'000;
+constexpr const char* no_declarations =
+    "a DOCTYPE may only name the kind of document, at its beginning: entities are never expanded; write out what they stand for";
 
 }  // namespace
 
@@ -30,11 +32,13 @@ void XmlDocument::parse(const std::string& text) {
         throw SceneError(name, "more than " + std::to_string(max_elements) + " elements; put geometry into OBJ or PLY files");
     const unsigned flags = pugi::parse_default | pugi::parse_doctype;
     const pugi::xml_parse_result result = tree_.load_buffer(text.data(), text.size(), flags, pugi::encoding_utf8);
-    if (result.status == pugi::status_bad_doctype) throw SceneError(line_at(result.offset), "DOCTYPE is not allowed");
+    if (result.status == pugi::status_bad_doctype) throw SceneError(line_at(result.offset), no_declarations);
     if (!result) throw SceneError(line_at(result.offset), std::string("this is not well-formed XML: ") + result.description());
     for (const pugi::xml_node node : tree_.children()) {
-        if (node.type() == pugi::node_doctype) throw SceneError(name, "DOCTYPE is not allowed");
-        if (node != root()) throw SceneError(where(node), "only one root element is allowed");
+        if (node.type() == pugi::node_doctype) {
+            if (std::string(node.value()).find('[') != std::string::npos) throw SceneError(name, no_declarations);
+        } else if (node != root())
+            throw SceneError(where(node), "only one root element is allowed");
     }
 }
 
@@ -43,6 +47,8 @@ std::string XmlDocument::line_at(std::ptrdiff_t offset) const {
     return shown(file_) + ":" + std::to_string(next - line_starts_.begin());
 }
 
-std::string XmlDocument::where(pugi::xml_node node) const { return line_at(std::max<std::ptrdiff_t>(node.offset_debug(), 0)); }
+std::string XmlDocument::where(pugi::xml_node node) const {
+    return line_starts_.empty() ? shown(file_) : line_at(std::max<std::ptrdiff_t>(node.offset_debug(), 0));
+}
 
 }  // namespace pencil

@@ -213,6 +213,22 @@ std::filesystem::path XmlSource::find_file(const std::string& name, pugi::xml_no
     return search_.find(name, document_of(node).file().parent_path(), where(node));
 }
 
+std::filesystem::path XmlSource::find_file(const std::string& name, const std::filesystem::path& folder, pugi::xml_node node) const {
+    return search_.find(name, folder, where(node));
+}
+
+std::optional<std::filesystem::path> XmlSource::find_file_if_there(const std::string& name, pugi::xml_node node) const {
+    return search_.find_if_there(name, document_of(node).file().parent_path(), where(node));
+}
+
+pugi::xml_node XmlSource::add_document(const std::filesystem::path& file, pugi::xml_node node) {
+    documents_.push_back(std::make_unique<XmlDocument>(file));
+    const XmlDocument& document = *documents_.back();
+    by_key_[document.key()] = &document;
+    versions_[document.key()] = version(node);
+    return document.root();
+}
+
 std::string XmlSource::where(pugi::xml_node node) const { return document_of(node).where(node); }
 
 void XmlSource::fail(pugi::xml_node node, const std::string& message) const { throw SceneError(where(node), message); }

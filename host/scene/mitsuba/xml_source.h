@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <pugixml.hpp>
 #include <set>
 #include <string>
@@ -33,6 +34,13 @@ public:
     pugi::xml_node find(const std::string& id, pugi::xml_node ref) const;
     /// The file that `node` calls `name`.
     std::filesystem::path find_file(const std::string& name, pugi::xml_node node) const;
+    /// The file that one in `folder` calls so; `node` is blamed.
+    std::filesystem::path find_file(const std::string& name, const std::filesystem::path& folder, pugi::xml_node node) const;
+    /// The same as find_file(name, node), or none if nothing is there.
+    std::optional<std::filesystem::path> find_file_if_there(const std::string& name, pugi::xml_node node) const;
+    bool is_of_another_format(pugi::xml_node node) const { return document_of(node).is_of_another_format(); }
+    /// The top of a tree to which objects can be added that `file` describes in another way, for `node`, whose version they are of.
+    pugi::xml_node add_document(const std::filesystem::path& file, pugi::xml_node node);
     /// True if the value of this parameter, or the type of this plugin, holds a $name that nobody gave.
     bool is_undefined(pugi::xml_node node) const { return undefined_.count(node.hash_value()) != 0; }
 

@@ -170,9 +170,7 @@ void set_mtl_emission(const MtlMaterial& material, const MtlContext& context, Sc
 }
 
 void leave_out(const SceneError& error, const std::string& consequence, const std::string& where, Problems& problems) {
-    std::string message = error.what();
-    if (message.rfind(where + ": ", 0) == 0) message.erase(0, where.size() + 2);
-    problems.approximate(where, message + consequence);
+    problems.approximate(where, without_place(error, where) + consequence);
 }
 
 SceneMaterial unnamed_material() {

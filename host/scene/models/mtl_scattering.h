@@ -6,7 +6,7 @@
 #include <string>
 
 #include "scene/file_search.h"
-#include "scene/models/read_mtl.h"
+#include "scene/meshes/read_mtl.h"
 #include "scene/problems.h"
 #include "scene/scene.h"
 

@@ -1,15 +1,15 @@
 #include "scene/models/read_model.h"
 
-#include <limits>
 #include <map>
 #include <utility>
 
 #include "scene/default_view.h"
 #include "scene/file_search.h"
+#include "scene/meshes/mesh_parts.h"
+#include "scene/meshes/read_mtl.h"
 #include "scene/meshes/read_obj.h"
 #include "scene/meshes/read_ply.h"
 #include "scene/models/mtl_scattering.h"
-#include "scene/models/read_mtl.h"
 #include "scene/problems.h"
 #include "scene/scene_file.h"
 #include "scene/text.h"
@@ -17,37 +17,6 @@
 
 namespace pencil {
 namespace {
-
-constexpr std::uintmax_t max_mtl_bytes = std::uintmax_t{16} << 20;
-
-/// The triangles of one part, with the vertices that they use. `place` has a number for each vertex of the whole mesh, all `unused`, and is
-/// left so.
-constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
-Mesh part_of(const Mesh& whole, const std::vector<std::uint32_t>& triangles, std::vector<std::uint32_t>& place) {
-    Mesh part;
-    part.smooth = whole.smooth;
-    std::vector<std::uint32_t> used;
-    for (const std::uint32_t t : triangles) {
-        glm::uvec3 corners = whole.triangles[t];
-        for (int k = 0; k < 3; ++k) {
-            const std::uint32_t from = corners[k];
-            if (place[from] == unused) {
-                place[from] = static_cast<std::uint32_t>(used.size());
-                used.push_back(from);
-            }
-            corners[k] = place[from];
-        }
-        part.triangles.push_back(corners);
-    }
-    for (const std::uint32_t i : used) {
-        part.positions.push_back(whole.positions[i]);
-        if (!whole.normals.empty()) part.normals.push_back(whole.normals[i]);
-        if (!whole.uvs.empty()) part.uvs.push_back(whole.uvs[i]);
-        if (!whole.colours.empty()) part.colours.push_back(whole.colours[i]);
-        place[i] = unused;
-    }
-    return part;
-}
 
 class ModelReader {
 public:
@@ -57,15 +26,13 @@ public:
     }
 
     Scene read_obj() {
-        ObjFile obj = read_obj_file(read_regular_file(file_, max_mesh_bytes, where_), where_);
-        for (glm::vec2& uv : obj.mesh.uvs) uv.y = 1.0F - uv.y;  // v grows upwards in OBJ
+        Mesh obj = read_obj_file(read_regular_file(file_, max_mesh_bytes, where_), where_);
+        for (glm::vec2& uv : obj.uvs) uv.y = 1.0F - uv.y;  // v grows upwards in OBJ
         for (const std::string& library : obj.libraries) read_library(library);
-        std::vector<std::vector<std::uint32_t>> parts(obj.materials.size());
-        for (std::size_t t = 0; t < obj.material.size(); ++t) parts[obj.material[t]].push_back(static_cast<std::uint32_t>(t));
-        std::vector<std::uint32_t> place(obj.mesh.positions.size(), unused);
+        const std::vector<Mesh> parts = parts_of(obj, obj.material, obj.materials.size());
         for (std::size_t i = 0; i < parts.size(); ++i)
-            if (!parts[i].empty()) add_part(part_of(obj.mesh, parts[i], place), obj.materials[i]);
-        return finish(obj.mesh);
+            if (!parts[i].triangles.empty()) add_part(parts[i], obj.materials[i]);
+        return finish(obj);
     }
 
     Scene read_ply() {

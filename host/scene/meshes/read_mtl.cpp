@@ -1,4 +1,4 @@
-#include "scene/models/read_mtl.h"
+#include "scene/meshes/read_mtl.h"
 
 #include <algorithm>
 #include <cctype>
@@ -67,6 +67,7 @@ private:
         if (keyword == "tr" && !m.opacity) m.opacity = 1 - number(line);
         if (keyword == "illum") m.model = static_cast<int>(std::clamp(number(line), 0.0, 100.0));
         if (keyword == "map_kd") m.diffuse_map = map(line);
+        if (keyword == "map_ks") m.specular_map = map(line);
         if (keyword == "map_ke") m.emission_map = map(line);
         if (keyword == "map_d") m.opacity_map = map(line);
         if (keyword == "map_bump" || keyword == "bump") m.bump_map = map(line);
@@ -141,7 +142,8 @@ private:
 }  // namespace
 
 std::vector<MtlMaterial> read_mtl(std::string_view text, const std::string& name, std::vector<SceneError>& defects) {
-    return MtlReader(text, name, defects).read();
+    const std::string decoded = decoded_by_mark(text);
+    return MtlReader(decoded, name, defects).read();
 }
 
 }  // namespace pencil
