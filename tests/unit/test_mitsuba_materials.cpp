@@ -209,5 +209,17 @@ TEST_F(MitsubaMaterials, OldAndNewSpellingsGiveTheSameScene) {
     EXPECT_EQ(scene_fingerprint(before), scene_fingerprint(after));
 }
 
+/// As Mitsuba 0.x scales them.
+TEST_F(MitsubaMaterials, PhongReflectsNoMoreThanAll) {
+    const std::string bright =
+        "<bsdf type=\"phong\"><rgb name=\"diffuse_reflectance\" value=\"0.9 0.1 0.1\"/><rgb "
+        "name=\"specular_reflectance\" value=\"0.6\"/>";
+    const SceneMaterial m = material(bright + "</bsdf>", "0.6.0");
+    EXPECT_NEAR(m.albedo.x + m.specular.x, 0.99F, 1e-5);
+    EXPECT_NEAR(m.albedo.x / m.albedo.y, 9.0F, 1e-4);
+    EXPECT_EQ(material(bright + "<boolean name=\"ensureEnergyConservation\" value=\"false\"/></bsdf>", "0.6.0").albedo.x, 0.9F);
+    EXPECT_EQ(material("<bsdf type=\"phong\"/>", "0.6.0").albedo.x, 0.5F);
+}
+
 }  // namespace
 }  // namespace pencil::test

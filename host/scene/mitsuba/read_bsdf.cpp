@@ -98,7 +98,7 @@ SceneMaterial BsdfReader::read_new(pugi::xml_node node, int depth) {
     const std::string type = node.attribute("type").value();
     const BsdfPlugin plugin = find_bsdf_plugin(type);
     SceneMaterial material = plugin ? plugin(p, textures_) : read_holder(p, type, depth);
-    p.ignore({"specular_sampling_weight", "sample_visible"});
+    p.ignore({"specular_sampling_weight", "sample_visible", "ensure_energy_conservation"});
     if (nesting(material) > deepest_material)
         p.fail("", "holds more than " + std::to_string(deepest_material) + " blends within each other");
     if (node.attribute("id")) material.id = node.attribute("id").value();
