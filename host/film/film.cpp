@@ -69,6 +69,7 @@ Film::Film(Kernels& kernels, const DeviceScene& scene, const FilmCamera& camera,
     }
     hits_ = Buffer<Hit>();
     split_ = Buffer<unsigned char>();
+    if (!split.empty()) close_ups_ = look_closely(kernels, scene, {camera_, offsets_, samples_}, whole_pixels(split), surfels_.count, turn);
 }
 
 Film::Film(Kernels& kernels, const Camera& camera, Receivers receivers)
@@ -129,6 +130,15 @@ int Film::number_surfels(const std::shared_ptr<Device>& device) {
                 }
     first_surfel_ = Buffer<int>(device, first, "first surfels");
     return next;
+}
+
+/// Those of them whose every sample has a surfel.
+std::vector<int> Film::whole_pixels(const std::vector<unsigned char>& split) const {
+    const std::vector<unsigned char> counts = counts_.read();
+    std::vector<int> pixels;
+    for (std::size_t p = 0; p < split.size(); ++p)
+        if (split[p] != 0 && counts[p] == samples_) pixels.push_back(static_cast<int>(p));
+    return pixels;
 }
 
 /// Shares of samples from turn to turn are those of the golden section.

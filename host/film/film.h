@@ -8,6 +8,7 @@
 #include "device/features.h"
 #include "device/surfels.h"
 #include "device/turn.h"
+#include "film/close_ups.h"
 #include "film/receivers.h"
 #include "pencils/film_filter.h"
 
@@ -22,7 +23,7 @@ struct FilmCamera {
 class Film {
 public:
     /// Rasterises the scene for the camera and makes the surfels (launchers of classify_film, film_surfels). `split`: not 0 for pixels whose
-    /// visibility samples have a surfel each; empty: none.
+    /// visibility samples have a surfel each and, where all of them show something, close-ups; empty: none.
     Film(Kernels& kernels, const DeviceScene& scene, const FilmCamera& camera, const ReconstructionFilter& filter, const Turn& turn,
          const std::vector<unsigned char>& split = {});
 
@@ -36,6 +37,7 @@ public:
     const Buffer<unsigned char>& counts() const { return counts_; }    // per pixel: surfels and FILM_HAS_EMPTY
     const Buffer<int>& first_surfel() const { return first_surfel_; }  // per pixel
     const Buffer<unsigned char>& slots() const { return slots_; }      // per visibility sample: its surfel's number in the pixel
+    const CloseUps& close_ups() const { return close_ups_; }
     const FilterTable& filter_table() const { return table_; }
     int width() const { return camera_.width; }
     int height() const { return camera_.height; }
@@ -73,6 +75,7 @@ private:
     void classify(Kernels& kernels, const DeviceScene& scene, int first_row, int rows);
     void write_surfels(Kernels& kernels, const DeviceScene& scene, int first_row, int rows, const Turn& turn);
     int number_surfels(const std::shared_ptr<Device>& device);
+    std::vector<int> whole_pixels(const std::vector<unsigned char>& split) const;
     std::vector<float> resolve(Kernels& kernels, const Buffer<float>& values, int first_field, const Buffer<float>* background,
                                bool at_drawn) const;
 
@@ -90,6 +93,7 @@ private:
     FilterTable table_;
     Buffer<float> weights_, totals_;  // of it
     Surfels surfels_;
+    CloseUps close_ups_;
 };
 
 /// Rough bytes of device memory that a film of this size takes, for the check before anything is allocated.

@@ -50,6 +50,11 @@ void FilmLayers::add_surfaces(Kernels& kernels, const DeviceScene& scene, const 
     const Surfels& surfels = film.surfels();
     Buffer<float> emission = surfel_rgb(kernels.device(), surfels.capacity, "emission of the film");
     emit_surfels(kernels, scene, surfels, false, emission);
+    if (const CloseUps& close = film.close_ups(); close.each > 0) {
+        Buffer<float> of_close = surfel_rgb(kernels.device(), close.surfels.capacity, "emission of close-ups");
+        emit_surfels(kernels, scene, close.surfels, false, of_close);
+        average_close_ups(kernels, close, film.first_surfel(), of_close, emission, surfels.capacity);
+    }
     if (kernels.features().sky && film.has_empty()) {
         const Buffer<float> sky = film.sky(kernels, scene);
         beauty_ = film.resolve(kernels, emission, &sky);

@@ -32,8 +32,9 @@ std::unique_ptr<Film> make_film(RenderContext& context, const Turn& turn, const 
     const FlatScene& flat = context.flat;
     if (!context.scene.sensor_points.empty())
         return std::make_unique<Film>(kernels, flat.camera, sensor_receivers(kernels, context.scene, flat, turn));
-    auto film = std::make_unique<Film>(kernels, context.device_scene, FilmCamera{flat.camera, glm::vec3(flat.eye)},
-                                       context.scene.sensor.filter, turn, split);
+    auto film =
+        std::make_unique<Film>(kernels, context.device_scene, FilmCamera{flat.camera, glm::vec3(flat.eye)}, context.scene.sensor.filter,
+                               turn, context.options.irradiance ? std::vector<unsigned char>() : split);
     if (context.options.irradiance) film->receive(context.flat.materials);
     return film;
 }
@@ -91,9 +92,19 @@ bool Frame::add_direct(const std::function<void()>& light) {
     context_.clock.run("direct light", [&] {
         if (light) return light();
         light_surfels(context_.kernels, context_.device_scene, film_->surfels(), lights_, outgoing_, "direct light to film");
+        light_close_ups();
     });
     if (!context_.maps_emit) finish_bounce(1, 0, 0);
     return true;
+}
+
+/// Direct light of samples that are looked at closely.
+void Frame::light_close_ups() {
+    const CloseUps& close = film_->close_ups();
+    if (close.each == 0) return;
+    Buffer<float> light = surfel_rgb(context_.kernels.device(), close.surfels.capacity, "light of close-ups");
+    light_surfels(context_.kernels, context_.device_scene, close.surfels, lights_, light, "direct light to close-ups");
+    average_close_ups(context_.kernels, close, film_->first_surfel(), light, outgoing_, film_->surfels().capacity);
 }
 
 void Frame::finish_bounce(int order, int pencils, double projection_seconds) {

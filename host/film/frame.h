@@ -41,6 +41,7 @@ public:
 
 private:
     void make_lights(int samples, int map, const Turn& turn);
+    void light_close_ups();
     /// True if no light reaches anything: no light sample, no emitter carried by the maps.
     bool dark() const { return lights_.maps.count == 0 && !context_.maps_emit && !context_.options.field; }
 

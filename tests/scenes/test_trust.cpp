@@ -121,6 +121,22 @@ TEST(TrustSpots, ALampUnderTheCeilingLooksForWhatItLights) {
     EXPECT_LT(deviation, 0.05);
 }
 
+/// A lamp of half a pixel is as bright as it is, and known soon: sixteen visibility samples a pass meet it eight times, give or take one.
+TEST(TrustSpots, ALampSmallerThanAPixelHasItsLight) {
+    Scene scene = room_with_near_lamp(0.9);
+    look_at(scene, {0.3, 0.6, 0.3}, {2.625, 2.075, 2.325}, {0, 1, 0}, 70.0, 32, 24);
+    ReferenceOptions reference;
+    reference.spp = 1 << 12;
+    reference.bounces = true;
+    const double expected = mean(layer(trace_paths(scene, reference).layers, "emission").pixels);
+    RenderOptions options;
+    options.aovs = {"emission"};
+    const RenderResult result = render_layers(scene, options, {"emission"});
+    EXPECT_NEAR(mean(layer(result, "emission").pixels) / expected, 1.0, 0.02);
+    std::printf("%d passes\n", result.stats.passes);
+    EXPECT_LT(result.stats.passes, 64);
+}
+
 /// The image hardly depends on how far the ground goes on.
 TEST(TrustScale, GroundPlanesOfAllSizes) {
     RenderOptions options;
