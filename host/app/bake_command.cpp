@@ -47,6 +47,9 @@ void check_field(int pencils, int map) {
                         pencils, map, map, format_size(needed), format_size(present)));
 }
 
+/// Whether the light is made for given centres, by another method than the one that places them.
+bool fills_centres(BakeFrom from) { return from == BakeFrom::reference || from == BakeFrom::surface; }
+
 RenderOptions bake_options(const BakeCommand& command, const Scene& scene) {
     RenderOptions options = command.options;
     options.method = command.from == BakeFrom::line ? MethodName::line : MethodName::hybrid;
@@ -55,14 +58,21 @@ RenderOptions bake_options(const BakeCommand& command, const Scene& scene) {
     options.width = finder_width;
     options.height = std::max(finder_width * scene.sensor.height / std::max(scene.sensor.width, 1), 1);
     options.aovs = {};
-    if (command.from == BakeFrom::reference) options.bounces = 2;  // its centres alone count
+    if (fills_centres(command.from)) options.bounces = 2;  // its centres alone count
     return options;
+}
+
+/// Rays of a texel.
+int field_rays(const BakeCommand& command) {
+    if (command.spp > 0) return command.spp;
+    return command.from == BakeFrom::surface ? standard_field_rays : standard_field_paths;
 }
 
 /// Reflected light along the rays of the pencils; false if it was interrupted before every texel had a path.
 bool trace_light(const Scene& scene, const BakeCommand& command, const ReferenceProgress& progress, PencilField& field) {
     field.light = {};  // the pencils alone are asked for
-    ReferenceOptions options = command.paths;
+    ReferenceOptions options;
+    options.spp = field_rays(command);
     options.field = std::make_shared<PencilField>(field);
     options.max_depth = field.orders < 0 ? -1 : field.orders + 1;
     options.seed = command.options.seed;
@@ -70,6 +80,24 @@ bool trace_light(const Scene& scene, const BakeCommand& command, const Reference
     for (const std::string& warning : result.warnings) print_warning(warning);
     field.light = std::move(result.layers.front().pixels);
     return result.spp > 0;
+}
+
+/// The same by surface pencils.
+bool gather_light(const Scene& scene, const BakeCommand& command, const std::shared_ptr<Device>& device, const Progress& progress,
+                  PencilField& field) {
+    field.light = {};
+    RenderOptions options = command.options;
+    options.method = MethodName::surface;
+    options.pencils = pencils_of_method;
+    options.field = std::make_shared<PencilField>(field);
+    options.field_rays = field_rays(command);
+    options.width = options.height = finder_width;  // of no image
+    options.aovs = {};
+    const RenderResult result = render(scene, options, device, progress);
+    for (const std::string& warning : result.stats.warnings) print_warning(warning);
+    if (!result.failure.empty() && interrupted_by() == 0) throw DeviceError(result.failure);
+    if (result.field) field.light = result.field->light;
+    return result.field && !result.interrupted;
 }
 
 }  // namespace
@@ -88,12 +116,14 @@ ExitCode run_bake(const BakeCommand& command) {
         display.update(stage, fraction);
         return interrupted_by() == 0;
     };
-    RenderResult result = render(scene, bake_options(command, scene), Device::open(command.device), progress);
+    const std::shared_ptr<Device> device = Device::open(command.device);
+    RenderResult result = render(scene, bake_options(command, scene), device, progress);
     for (const std::string& warning : result.stats.warnings) print_warning(warning);
     if (!result.failure.empty() && interrupted_by() == 0) throw DeviceError(result.failure);
     bool whole = result.field && !result.interrupted;
     if (result.field) result.field->orders = orders;
     if (whole && command.from == BakeFrom::reference) whole = trace_light(scene, command, progress, *result.field);
+    if (whole && command.from == BakeFrom::surface) whole = gather_light(scene, command, device, progress, *result.field);
     if (!whole && interrupted_by() != 0) {
         print_error("interrupted before the field was whole; nothing is written");
         return ExitCode::interrupted;

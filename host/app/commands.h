@@ -39,16 +39,18 @@ struct ReferenceCommand {
     bool quiet = false;
 };
 
-enum class BakeFrom { reference, hybrid, line };
+enum class BakeFrom { reference, surface, hybrid, line };
 std::string to_string(BakeFrom from);
+/// BakeCommand::spp that is not given.
+constexpr int standard_field_paths = 64, standard_field_rays = 8;
 
 struct BakeCommand {
     std::filesystem::path scene;
     LoadOptions load;
     std::filesystem::path output;
     BakeFrom from = BakeFrom::reference;
-    RenderOptions options;   // of the set of pencils
-    ReferenceOptions paths;  // of the path tracer
+    RenderOptions options;  // of the set of pencils
+    int spp = 0;            // rays of a texel, of the path tracer and of surface; 0: as many as the method takes
     std::string device;
     bool quiet = false;
 };

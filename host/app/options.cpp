@@ -110,6 +110,15 @@ Option devices_row(std::string& devices) {
     return row;
 }
 
+/// Pencils of a field that a view uses.
+Option field_pencils_row(int& pencils) {
+    Option row = integer_option("--field-pencils", pencils, 1, most_baked,
+                                "Pencils of the field that a view uses: of those that it sees, evenly; others are not read");
+    row.standard = "all";
+    row.show = [&pencils] { return pencils > 0 ? OptionValue(std::int64_t{pencils}) : OptionValue(); };
+    return row;
+}
+
 Option quiet_row(bool& quiet) { return switch_row("--quiet", quiet, "No progress, no summary; warnings and errors stay"); }
 
 Option grid_row(std::vector<SensorGrid>& grids) {
@@ -161,6 +170,7 @@ std::vector<Option> option_table(RenderCommand& command) {
                                  "Go on from a checkpoint of the same render; --time and --target-error may ask for more than it did")),
             lines_row(path_row("--field", "FILE", command.field,
                                "Light of a field that `pencil bake` has made of the scene, instead of sets of pencils")),
+            lines_row(field_pencils_row(command.options.field_pencils)),
             path_row("--stats", "FILE", command.stats, "Write times, launches, residual and decisions as JSON"),
             switch_row("--explain", command.explain, "Print what was decided and what was left out, and why"), quiet_row(command.quiet)});
     return rows;
@@ -183,8 +193,14 @@ std::vector<Option> option_table(ReferenceCommand& command) {
 
 namespace {
 
-const std::vector<std::string> bakers{"reference", "hybrid", "line"};
-constexpr int baked_pencils = 256, baked_paths = 64;
+const std::vector<std::string> bakers{"reference", "surface", "hybrid", "line"};
+constexpr int baked_pencils = 256;
+
+Option field_rays_row(int& spp) {
+    Option row = integer_option("--spp", spp, 1, most_paths, "Light paths of a texel, of the path tracer; rays of a texel, of surface");
+    row.standard = fmt::format("{}; surface: {}", standard_field_paths, standard_field_rays);
+    return row;
+}
 
 }  // namespace
 
@@ -193,14 +209,14 @@ std::string to_string(BakeFrom from) { return bakers[static_cast<std::size_t>(fr
 std::vector<Option> option_table(BakeCommand& command) {
     RenderOptions& o = command.options;
     o.pencils = baked_pencils;
-    command.paths.spp = baked_paths;
     Rows rows = scene_rows(command.scene, command.load);
-    append(rows, {required(path_row("-o,--output", "FILE.exr", command.output, "Field to write, for `pencil render --field`")),
-                  word_option("--from", command.from, bakers, "What makes the light: the path tracer, lines and rays, or lines alone"),
-                  integer_option("--pencils", o.pencils, 1, most_baked, "Pencils of the field"), map_option(o.map),
-                  integer_option("--spp", command.paths.spp, 1, most_paths, "Light paths of a texel, of the path tracer"),
-                  integer_option("--light-samples", o.light_samples, 1, most_baked, "Point samples over all emitters, of the other two"),
-                  seed_option(o.seed), device_row(command.device), quiet_row(command.quiet)});
+    append(rows,
+           {required(path_row("-o,--output", "FILE.exr", command.output, "Field to write, for `pencil render --field`")),
+            word_option("--from", command.from, bakers,
+                        "What makes the light: the path tracer, pencils on surfaces, lines and rays, or lines alone"),
+            integer_option("--pencils", o.pencils, 1, most_baked, "Pencils of the field"), map_option(o.map), field_rays_row(command.spp),
+            integer_option("--light-samples", o.light_samples, 1, most_baked, "Point samples over all emitters, but for the path tracer"),
+            seed_option(o.seed), device_row(command.device), quiet_row(command.quiet)});
     return rows;
 }
 
@@ -224,6 +240,7 @@ std::vector<Option> option_table(WalkCommand& command) {
                               "Cameras, a line each: where it stands, where it looks, and its upward direction if that is not the scene "
                               "camera's: x,y,z,x,y,z[,x,y,z]")),
             required(path_row("-o,--output", "FILE.exr", command.output, "Images to write: FILE-0001.exr and so on")),
+            field_pencils_row(o.field_pencils),
             word_option("--method", command.method, {"line", "hybrid"}, "Lines through the pencils, or lines and rays"),
             switch_row("--every-pixel", command.every_pixel,
                        "Make indirect light for all pixels, not for every third of every third row, and for edges"),

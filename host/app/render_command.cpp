@@ -97,9 +97,7 @@ RenderOptions with_field(RunReport& report, const RenderCommand& command) {
     if (command.field.empty()) return options;
     for (const std::filesystem::path& output : command.outputs)
         if (same_file(output, command.field)) throw OutputError("cannot write " + output.string() + ": it is the --field");
-    options.field = timed(report, "load field", [&] { return std::make_shared<PencilField>(read_field(command.field)); });
-    options.pencils = options.field->count();
-    options.map = options.field->map;
+    timed(report, "load field", [&] { open_field(command.field, options); });
     return options;
 }
 

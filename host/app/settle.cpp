@@ -55,10 +55,12 @@ void settle(RenderCommand& command, const std::vector<Option>& table, const Give
             command.options.method = method;
             break;
         }
-    for (const char* flag :
-         {"--pencils", "--map", "--map-kind", "--bounces", "--decay", "--least-pencils", "--iterate", "--placement", "--tolerance"})
+    for (const char* flag : {"--pencils", "--map", "--map-kind", "--bounces", "--decay", "--least-pencils", "--iterate", "--placement",
+                             "--tolerance", "--radiance-map", "--density-map"})
         if (!command.field.empty() && is_given(flag, table, given))
             throw std::invalid_argument(std::string(flag) + ": is decided by the --field");
+    if (command.field.empty() && is_given("--field-pencils", table, given))
+        throw std::invalid_argument("--field-pencils: is an option of --field");
     add_named_layers(command.outputs, command.options.aovs);
     const std::string method = to_string(command.options.method);
     for (const Option& row : table)

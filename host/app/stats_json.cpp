@@ -122,6 +122,8 @@ void write_stats(const std::filesystem::path& file, const RunReport& report, con
                     {"world_pencils", stats.world_pencils},
                     {"film_pencils", stats.film_pencils},
                     {"device_pencils", stats.device_pencils},
+                    {"field_pencils", stats.field_pencils},
+                    {"field_pencils_read", stats.field_read},
                     {"residual", stats.residual},
                     {"tail_closed", stats.tail_closed},
                     {"converged", stats.converged},

@@ -67,9 +67,7 @@ ExitCode run_walk(const WalkCommand& command) {
     check_images(command, views.size());
     scene.sensor = views.front();
     RenderOptions options = command.options;
-    options.field = std::make_shared<PencilField>(read_field(command.field));
-    options.pencils = options.field->count();
-    options.map = options.field->map;
+    open_field(command.field, options);
     options.method = command.method == WalkMethod::line ? MethodName::line : MethodName::hybrid;
     options.thin = !command.every_pixel;
     RenderSession session(scene, options, Device::open(command.device), [](const std::string&, double) { return interrupted_by() == 0; });
@@ -84,6 +82,7 @@ ExitCode run_walk(const WalkCommand& command) {
                              numbered(command.output, views.size()).string(), seconds.front());
     std::sort(seconds.begin() + 1, seconds.end());
     if (seconds.size() > 1) std::cout << fmt::format(", the others {:.3f} s each, in the median", seconds[1 + (seconds.size() - 1) / 2]);
+    if (shows_part(options)) std::cout << fmt::format("; {} of {} pencils were read", session.stats().field_read, options.field->count());
     std::cout << '\n';
     return ExitCode::ok;
 }

@@ -55,6 +55,7 @@ struct PencilSet {
 
     std::shared_ptr<GeometryMaps> maps;
     Buffer<float4> radiance;
+    std::shared_ptr<GeometryMaps> light_maps, weight_maps;  // through whose texels light and weights are found; null: through those of maps
 };
 
 /// Light samples with their geometry maps.

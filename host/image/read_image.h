@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -23,5 +24,25 @@ constexpr std::uint64_t largest_image = std::uint64_t{4} << 30;  // [bytes as fl
 /// Reads an OpenEXR (first part), PNG or Radiance HDR file. SceneError naming the file if it is none of these, damaged, deep, or would
 /// take more than `most_bytes`.
 Image read_image(const std::filesystem::path& path, std::uint64_t most_bytes = largest_image);
+
+/// The same file, of which parts are read.
+class ImageParts {
+public:
+    explicit ImageParts(const std::filesystem::path& path, std::uint64_t most_bytes = largest_image);
+    ~ImageParts();
+    ImageParts(const ImageParts&) = delete;
+    ImageParts& operator=(const ImageParts&) = delete;
+
+    /// All but the pixels.
+    const Image& head() const { return head_; }
+    /// Pixels (x, y) to (x + width, y + height) as Image::pixels. Tiles of the file that hold some of them are read, or whole rows where it has none.
+    std::vector<float> read(int x, int y, int width, int height);
+
+private:
+    struct File;
+    std::filesystem::path path_;
+    std::unique_ptr<File> file_;
+    Image head_;
+};
 
 }  // namespace pencil

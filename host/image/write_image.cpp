@@ -46,6 +46,7 @@ OIIO::ImageSpec exr_spec(const LayeredImage& image, const Metadata& metadata) {
     }
     OIIO::ImageSpec spec(image.width, image.height, static_cast<int>(names.size()), OIIO::TypeDesc::FLOAT);
     spec.channelnames = names;
+    spec.tile_width = spec.tile_height = image.tile;
     const std::size_t raw_bytes = spec.image_bytes();
     spec.attribute("compression", raw_bytes > stored_above ? "none" : "zip:1");
     spec.attribute("DateTime", "");  // OpenImageIO would put the time of day
@@ -53,10 +54,9 @@ OIIO::ImageSpec exr_spec(const LayeredImage& image, const Metadata& metadata) {
     return spec;
 }
 
-void interleave(const LayeredImage& image, int first_row, int rows, std::vector<float>& out) {
+void interleave(const LayeredImage& image, int first_row, int rows, std::size_t stride, std::vector<float>& out) {
     const std::size_t pixels = std::size_t(rows) * image.width;
     const std::size_t first = std::size_t(first_row) * image.width;
-    const std::size_t stride = out.size() / (std::size_t(rows_per_write) * image.width);
     std::size_t offset = 0;
     for (const ImageLayer& layer : image.layers) {
         const float* from = layer.pixels + first * layer.channels;
@@ -79,11 +79,14 @@ std::vector<unsigned char> encode_exr(const LayeredImage& image, const Metadata&
     if (!out) encoding_failed("EXR", OIIO::geterror());
     out->set_ioproxy(&memory);
     if (!out->open("memory.exr", spec)) encoding_failed("EXR", out->geterror());
-    std::vector<float> block(std::size_t(rows_per_write) * image.width * spec.nchannels);
-    for (int y = 0; y < image.height; y += rows_per_write) {
-        const int rows = std::min(rows_per_write, image.height - y);
-        interleave(image, y, rows, block);
-        if (!out->write_scanlines(y, y + rows, 0, OIIO::TypeDesc::FLOAT, block.data())) encoding_failed("EXR", out->geterror());
+    const int step = image.tile > 0 ? image.tile : rows_per_write;
+    std::vector<float> block(std::size_t(step) * image.width * spec.nchannels);
+    for (int y = 0; y < image.height; y += step) {
+        const int end = std::min(y + step, image.height);
+        interleave(image, y, end - y, static_cast<std::size_t>(spec.nchannels), block);
+        const bool written = image.tile > 0 ? out->write_tiles(0, image.width, y, end, 0, 1, OIIO::TypeDesc::FLOAT, block.data())
+                                            : out->write_scanlines(y, end, 0, OIIO::TypeDesc::FLOAT, block.data());
+        if (!written) encoding_failed("EXR", out->geterror());
     }
     if (!out->close()) encoding_failed("EXR", out->geterror());
     return bytes;

@@ -21,6 +21,7 @@ struct ImageLayer {
 struct LayeredImage {
     int width = 0, height = 0;
     std::vector<ImageLayer> layers;  // beauty first
+    int tile = 0;                    // width of the square tiles that an EXR is stored in, of which single ones can be read; 0: rows
 };
 
 using Metadata = std::map<std::string, std::variant<int, double, std::string>>;

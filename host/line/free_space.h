@@ -35,6 +35,9 @@ public:
     /// Of centres that are given, uniform in `share` of the scene's box: no rooms are looked for and nothing is created.
     FreeSpace(const DeviceScene& scene, const FlatScene& flat, double share) : scene_(scene), flat_(flat), given_share_(share) {}
 
+    /// Another share for given centres.
+    void set_share(double share) { given_share_ = share; }
+
     /// Geometry maps of `count` centres of set number `set`, rasterised and folded; rejected centres are replaced by the next of the
     /// source. If most_rounds rounds do not find all, the set is smaller; if they find none, the last round's centres are taken.
     std::shared_ptr<GeometryMaps> create(Kernels& kernels, CandidateSource& source, int count, int set, const PowerSeen& power = {});

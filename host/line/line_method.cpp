@@ -43,6 +43,14 @@ int sites_of_cells(const RenderOptions& options) {
     return options.pencils + (weights_need_rays(kernel_weights(options)) ? film_rays(options, 0).count() : 0);
 }
 
+std::string explain_maps(const Kernels& kernels, const RenderOptions& options) {
+    std::string text = "pencils: " + describe(kernels.map_shape(options.map));
+    if (options.radiance_map > 0) text += "; light by " + describe(kernels.map_shape(options.radiance_map));
+    if (options.density_map > 0 && weights_in_maps(kernels.features().weights))
+        text += "; densities by " + describe(kernels.map_shape(options.density_map));
+    return text;
+}
+
 std::string explain_iteration(const RenderOptions& options) {
     switch (options.iterate) {
         case Iterate::sets:
@@ -75,7 +83,7 @@ MethodNeeds line_needs(const Scene& scene, const std::vector<LightForm>& forms, 
     MethodNeeds needs;
     if (!options.field && options.bounces != 0) needs.kernels = sure_kernels(form);
     needs.maps = planned_maps(scene, forms, options);
-    needs.hierarchy = follows_rays(options.placement) || weights_need_rays(form);
+    needs.hierarchy = follows_rays(options.placement) || weights_need_rays(form) || shows_part(options);
     needs.map_kind = kind;
     needs.atlas = options.bounces != 0;
     needs.weights = form;
@@ -118,15 +126,8 @@ void LineMethod::show_field() {
                         field.orders < 0 ? "all orders of reflection" : fmt::format("up to {} reflections", field.orders)));
     free_space_ = std::make_unique<FreeSpace>(context_.device_scene, context_.flat, field.free_share);
     make_solver();
-    set_ = solver_->create_at(field_centres(field, context_.flat));
-    const double unit = context_.flat.normalisation.light;
-    if (context_.maps_emit) {
-        solver_->fill(set_, nullptr, true, false, true);
-        context_.clock.run("field", [&] { add_field(field, unit, set_); });
-    } else {
-        solver_->weigh(set_);
-        context_.clock.run("field", [&] { set_field(field, unit, weights_in_maps(context_.kernels.features().weights), set_); });
-    }
+    field_view_ = std::make_unique<FieldView>(context_, *solver_, *free_space_);
+    field_view_->show(frame_->film().surfels(), set_);
     show_set();
 }
 
@@ -140,6 +141,7 @@ void LineMethod::show_set() {
 void LineMethod::look() {
     frame_->look(Turn{context_.options.seed, 0, true});
     visible_ = visible_buffer();
+    field_view_->show(frame_->film().surfels(), set_);
     project_set();
     frame_->finish_look();
 }
@@ -286,14 +288,14 @@ std::shared_ptr<PencilField> LineMethod::field() const {
 
 std::vector<std::string> LineMethod::explain() const {
     const RenderOptions& options = context_.options;
-    std::vector<std::string> lines{"pencils: " + describe(context_.kernels.map_shape(options.map)),
+    std::vector<std::string> lines{explain_maps(context_.kernels, options),
                                    explain_weights(context_.kernels.features().weights, cell_grid(sites_of_cells(options))),
                                    explain_iteration(options), explain_atlas(context_.kernels.features())};
     if (options.bounces == 1) lines.push_back("left out: all pencil sets that do not carry direct light (one reflection)");
     if (options.field)
-        return {
-            lines[0], lines[1],
-            fmt::format("left out: rooms, placement and transport between pencils; the light is that of a field of {}", options.pencils)};
+        return {lines[0], lines[1],
+                fmt::format("left out: rooms, placement and transport between pencils; the light is that of a field of {}{}",
+                            options.field->count(), shows_part(options) ? fmt::format(", of which a view uses {}", options.pencils) : "")};
     if (projected_ == 0) return lines;
     std::string rooms;
     for (int shape : free_space_->rooms()) rooms += (rooms.empty() ? "" : ", ") + context_.scene.shapes[static_cast<std::size_t>(shape)].id;

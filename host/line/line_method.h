@@ -7,6 +7,7 @@
 #include "film/frame.h"
 #include "film/method.h"
 #include "line/field_maps.h"
+#include "line/field_view.h"
 #include "line/pencil_solver.h"
 
 namespace pencil {
@@ -21,7 +22,7 @@ public:
     explicit LineMethod(RenderContext& context) : context_(context) {}
 
     bool advance() override;
-    bool can_look() const override { return context_.options.field && solver_; }
+    bool can_look() const override { return field_view_ != nullptr; }
     void look() override;
     std::vector<Layer> snapshot() const override;
     std::vector<Layer> take() override;
@@ -51,9 +52,10 @@ private:
     std::unique_ptr<FreeSpace> free_space_;
     std::unique_ptr<CandidateSource> candidates_;
     std::unique_ptr<PencilSolver> solver_;
-    PencilSet set_;      // carries order_ in its maps
-    int order_ = 0;      // reflections, 0: emission
-    int projected_ = 0;  // sets so far
+    std::unique_ptr<FieldView> field_view_;  // of a field that is shown
+    PencilSet set_;                          // carries order_ in its maps
+    int order_ = 0;                          // reflections, 0: emission
+    int projected_ = 0;                      // sets so far
     BounceSeries series_;
     std::unique_ptr<FieldSum> field_sum_;  // of all sets but that of emission, if it is to be kept
 };

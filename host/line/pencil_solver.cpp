@@ -6,6 +6,7 @@
 #include "film/emit_surfels.h"
 #include "film/light_surfels.h"
 #include "line/estimate_density.h"
+#include "line/expand_maps.h"
 #include "line/free_path_density.h"
 #include "line/gather_surfels.h"
 #include "line/planned_maps.h"
@@ -59,6 +60,14 @@ PencilSet PencilSolver::create_at(const std::vector<float4>& centres) {
     return PencilSet(kernels_.device(), std::move(maps));
 }
 
+void PencilSolver::replace(const PencilSet& set, const std::vector<int>& tiles, const std::vector<float4>& centres) {
+    GeometryMaps made(kernels_.device(), centres, set.maps->shape, "pencil");
+    clock_.run("pencil maps", [&] {
+        make_geometry_maps(kernels_, scene_, made, 0, made.count);
+        for (std::size_t k = 0; k < tiles.size(); ++k) set.maps->copy_tile(made, static_cast<int>(k), tiles[k]);
+    });
+}
+
 /// Mean radiance of maps that are not kept.
 std::vector<float4> PencilSolver::power_seen(std::shared_ptr<GeometryMaps> maps, const PencilSet* source, bool emission, bool direct) {
     PencilSet probes(kernels_.device(), std::move(maps));
@@ -89,6 +98,8 @@ void PencilSolver::send(const GeometryMaps& maps, int first, int count, const Pe
 
 PencilSet PencilSolver::reflect(const PencilSet& set, bool direct) {
     PencilSet next(kernels_.device(), set.maps);
+    next.light_maps = set.light_maps;
+    next.weight_maps = set.weight_maps;
     if (weights_in_maps(form()))
         next.radiance.copy_from(set.radiance, 0, 0, set.radiance.size());  // the quadrature weights stay, the radiance is overwritten
     fill(next, &set, false, direct, false);
@@ -116,29 +127,60 @@ Buffer<uint> PencilSolver::masks(const Surfels& surfels, int pencils) const {
             "visibility masks"};
 }
 
-/// Weights of tiles first .. first + count; surfels: what their texels see, for forms that need masks.
-void PencilSolver::weigh_tiles(PencilSet& target, int first, int count, const Surfels& surfels, Buffer<uint>& mask) {
+/// Weights of tiles first .. first + count; surfels: what their texels see, for forms that need masks; seen: the maps that tell what these see.
+void PencilSolver::weigh_tiles(PencilSet& target, const GeometryMaps& seen, int first, int count, const Surfels& surfels,
+                               Buffer<uint>& mask) {
     if (!weights_need_masks(form())) return free_path_density(kernels_, first, count, free_space_.space(), target);
-    test_visibility(kernels_, scene_, surfels, *target.maps, mask);
+    test_visibility(kernels_, scene_, surfels, seen, mask);
     estimate_density(kernels_, surfels, mask, first, target);
+}
+
+/// Geometry maps of the set's pencils at another size.
+std::shared_ptr<GeometryMaps> PencilSolver::coarse_maps(const PencilSet& set, int width) {
+    auto maps = std::make_shared<GeometryMaps>(kernels_.device(), set.maps->cops.read(), kernels_.map_shape(width), "coarse pencil");
+    clock_.run("pencil maps", [&] { make_geometry_maps(kernels_, scene_, *maps, 0, maps->count); });
+    return maps;
 }
 
 void PencilSolver::weigh(PencilSet& target) {
     if (!weights_in_maps(form())) return;
-    const bool seen = weights_need_masks(form());
-    const int texels = target.maps->texels(), tiles = seen ? chunk_tiles(texels, target.maps->count) : target.maps->count;
-    Surfels surfels = seen ? Surfels(kernels_, tiles * texels, "surfels of pencil maps") : Surfels();
+    if (weights_need_rays(form()) || !has_coarse(options_.density_map, target)) return weigh_texels(target, *target.maps);
+    if (!target.weight_maps) target.weight_maps = coarse_maps(target, options_.density_map);
+    PencilSet coarse(kernels_.device(), target.weight_maps);
+    coarse.radiance.fill_zero();
+    weigh_texels(coarse, *target.maps);
+    clock_.run("pencil density", [&] { expand_maps(kernels_, scene_, coarse, MapPart::weights, target); });
+}
+
+/// Of the target's own texels.
+void PencilSolver::weigh_texels(PencilSet& target, const GeometryMaps& seen) {
+    const bool by_masks = weights_need_masks(form());
+    const int texels = target.maps->texels(), tiles = by_masks ? chunk_tiles(texels, target.maps->count) : target.maps->count;
+    Surfels surfels = by_masks ? Surfels(kernels_, tiles * texels, "surfels of pencil maps") : Surfels();
     Buffer<uint> mask = masks(surfels, target.maps->count);
     for (int first = 0; first < target.maps->count; first += tiles)
         clock_.run("pencil density", [&] {
             const int count = std::min(tiles, target.maps->count - first);
-            if (seen) gather_surfels(kernels_, scene_, *target.maps, first, count, surfels);
-            weigh_tiles(target, first, count, surfels, mask);
+            if (by_masks) gather_surfels(kernels_, scene_, *target.maps, first, count, surfels);
+            weigh_tiles(target, seen, first, count, surfels, mask);
         });
 }
 
 void PencilSolver::fill(PencilSet& target, const PencilSet* source, bool emission, bool direct, bool weights) {
     ++sets_;
+    const bool coarse_light = has_coarse(options_.radiance_map, target), coarse_weights = has_coarse(options_.density_map, target);
+    if (!coarse_light && !(weights && coarse_weights)) return fill_texels(target, source, emission, direct, weights);
+    if (weights) weigh(target);
+    if (!coarse_light) return fill_texels(target, source, emission, direct, false);
+    if (!target.light_maps) target.light_maps = coarse_maps(target, options_.radiance_map);
+    PencilSet light(kernels_.device(), target.light_maps);
+    light.radiance.fill_zero();
+    fill_texels(light, source, emission, direct, false);
+    clock_.run("pencil transport", [&] { expand_maps(kernels_, scene_, light, MapPart::light, target); });
+}
+
+/// The target's own texels, weights chunk by chunk with the light.
+void PencilSolver::fill_texels(PencilSet& target, const PencilSet* source, bool emission, bool direct, bool weights) {
     const auto& device = kernels_.device();
     const int tiles = chunk_tiles(target.maps->texels(), target.maps->count);
     Surfels surfels(kernels_, tiles * target.maps->texels(), "surfels of pencil maps");
@@ -154,7 +196,7 @@ void PencilSolver::fill(PencilSet& target, const PencilSet* source, bool emissio
         });
         if (!density) continue;
         clock_.run("pencil density", [&] {
-            weigh_tiles(target, first, count, surfels, mask);
+            weigh_tiles(target, *target.maps, first, count, surfels, mask);
             store_radiance(kernels_, surfels, outgoing, first, count, target);
         });
     }

@@ -30,6 +30,8 @@ public:
 
     /// Geometry maps of given centres [scene units].
     PencilSet create_at(const std::vector<float4>& centres);
+    /// Other centres for some tiles of a set, with their geometry maps; light and weights stay.
+    void replace(const PencilSet& set, const std::vector<int>& tiles, const std::vector<float4>& centres);
 
     /// What the texels of `target` send to their centres, which becomes its radiance: emission that the maps carry (`emission`), reflected
     /// direct light (`direct`), and the radiance of `source` after one more bounce (if not null; thesis alg. 6.3). With `weights` the
@@ -54,7 +56,11 @@ private:
     std::vector<float4> power_seen(std::shared_ptr<GeometryMaps> maps, const PencilSet* source, bool emission, bool direct);
     int form() const { return kernels_.features().weights; }
     Buffer<uint> masks(const Surfels& surfels, int pencils) const;
-    void weigh_tiles(PencilSet& target, int first, int count, const Surfels& surfels, Buffer<uint>& mask);
+    void weigh_tiles(PencilSet& target, const GeometryMaps& seen, int first, int count, const Surfels& surfels, Buffer<uint>& mask);
+    void weigh_texels(PencilSet& target, const GeometryMaps& seen);
+    void fill_texels(PencilSet& target, const PencilSet* source, bool emission, bool direct, bool weights);
+    bool has_coarse(int width, const PencilSet& set) const { return width > 0 && width < set.maps->shape.width; }
+    std::shared_ptr<GeometryMaps> coarse_maps(const PencilSet& set, int width);
     void send(const GeometryMaps& maps, int first, int count, const PencilSet* source, bool emission, bool direct, Surfels& surfels,
               Buffer<float>& outgoing, Buffer<int>& visible);
 

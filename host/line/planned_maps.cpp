@@ -79,6 +79,8 @@ std::vector<MapBatch> planned_maps(const Scene& scene, const std::vector<LightFo
         pencils = std::accumulate(levels.begin(), levels.end(), 1);
     }
     if (sets > 0) batches.push_back({pencils, options.map});
+    for (const int own : {options.radiance_map, options.density_map})
+        if (sets > 0 && own > 0 && own < options.map) batches.push_back({pencils, own});
     return batches;
 }
 

@@ -38,4 +38,12 @@ struct PencilField {
     }
 };
 
+/// Where the light of single pencils of a field comes from.
+class FieldSource {
+public:
+    virtual ~FieldSource() = default;
+    /// rgb of the map x map texels of a pencil, row by row, as in PencilField::light. SceneError.
+    virtual std::vector<float> light(int pencil) = 0;
+};
+
 }  // namespace pencil

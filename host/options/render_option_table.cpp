@@ -63,14 +63,28 @@ Option least_pencils_row(int& least) {
 
 }  // namespace
 
-Option map_option(int& map) {
-    Option row = integer_option("--map", map, map_step, largest_map, "Width of a pencil's octahedral map in texels, a multiple of 8");
+namespace {
+
+Option width_row(const std::string& flag, int& map, const std::string& help) {
+    Option row = integer_option(flag, map, map_step, largest_map, help);
     row.read = [&map, read = row.read](const std::string& text) {
         read(text);
         if (map % map_step != 0) throw std::invalid_argument(fmt::format("\"{}\" is not a multiple of {}", text, map_step));
     };
     return row;
 }
+
+/// Of a part of the maps, which is not given: 0.
+Option own_width_row(const std::string& flag, int& map, const std::string& help) {
+    Option row = width_row(flag, map, help);
+    row.standard = "that of --map";
+    row.show = [&map] { return map > 0 ? OptionValue(std::int64_t{map}) : OptionValue(); };
+    return row;
+}
+
+}  // namespace
+
+Option map_option(int& map) { return width_row("--map", map, "Width of a pencil's octahedral map in texels, a multiple of 8"); }
 
 namespace {
 
@@ -164,6 +178,9 @@ std::vector<Option> render_option_table(RenderOptions& o) {
         real_option("--tolerance", o.tolerance, 0, false, 1,
                     "Stop when a bounce adds less than this share; the rest is estimated and reported"),
         only({line, hybrid}, map_option(o.map)),
+        only({line, hybrid}, own_width_row("--radiance-map", o.radiance_map, "Width of the maps by which light is found, at most --map")),
+        only({line}, own_width_row("--density-map", o.density_map,
+                                   "Width of the maps by which densities are found, for --weights that have any, at most --map")),
         only({line, hybrid},
              word_option("--map-kind", o.map_kind, map_kinds,
                          "Projection of a pencil's map; the others have about as many texels as the octahedral one: 2 squares, of the "

@@ -32,6 +32,8 @@ struct RenderOptions {
     int least_pencils = pencils_of_method;   // line: sets do not shrink below this
     int bounces = bounces_of_scene;          // reflections at most, direct light included
     int map = 64;                            // line: octahedral tile size, a multiple of 8 [texels]
+    int radiance_map = 0;                    // line, hybrid: the same of light, not more; 0: as map
+    int density_map = 0;                     // line: the same of density weights, not more; 0: as map
     Atlas atlas = Atlas::automatic;          // line, hybrid: form of the radiance maps that are looked up
     MapKind map_kind = MapKind::octahedral;  // line, hybrid: other kinds have about as many texels
     int light_samples = 64;
@@ -39,7 +41,11 @@ struct RenderOptions {
     std::vector<Placement> placement{Placement::lds};  // line: a mixture, in turn
     Weights weights = Weights::dpdf;                   // line
     Iterate iterate = Iterate::sets;                   // line
-    std::shared_ptr<const PencilField> field;          // line, hybrid: its light instead of the sets', which are not made
+    std::shared_ptr<const PencilField> field;          // line, hybrid: its light instead of the sets', which are not made; surface: its
+                                                       // centres, where RenderResult::field is to tell the light, instead of an image
+    std::shared_ptr<FieldSource> field_source;         // line, hybrid: with field_pencils, where their light comes from; field needs none
+    int field_pencils = 0;                             // of the field that a view uses (field_subset.h); 0: all
+    int field_rays = 8;                                // surface, with a field: of each texel, one a pass
     bool thin = false;                                 // line, hybrid: indirect light of some pixels, and of edges (thin_film.h)
     bool keep_field = false;                           // line, hybrid: RenderResult::field
     int rays = 64;                                     // hybrid: of each surfel of the film
@@ -53,6 +59,9 @@ struct RenderOptions {
     double lumens_per_watt = efficacy_of_scene;      // of photometric layers
     bool irradiance = false;                         // the film shows irradiance / pi of what it sees instead of its radiance
 };
+
+/// Whether a view shows a part of its field.
+inline bool shows_part(const RenderOptions& options) { return options.field && options.field_source && options.field_pencils > 0; }
 
 /// Paths along lobes are noisier than diffuse light.
 constexpr double standard_target(bool lobes) { return lobes ? 4e-3 : 1e-3; }

@@ -65,8 +65,9 @@ struct RenderStats {
     std::map<std::string, std::uint64_t> device_pencils;  // that each device gathered, where several share them
     std::uint64_t device_peak_bytes = 0;
     std::uint64_t triangles = 0, film_surfels = 0;
-    std::uint64_t blind_surfels = 0;   // film surfels that no pencil of the first set sees
-    std::vector<std::string> explain;  // decisions and what was left out, one sentence each
+    std::uint64_t blind_surfels = 0;        // film surfels that no pencil of the first set sees
+    int field_pencils = 0, field_read = 0;  // of a field that is shown: how many it has, and of how many the light was read
+    std::vector<std::string> explain;       // decisions and what was left out, one sentence each
     std::vector<std::string> warnings;
     std::string stopped;  // why passes ended before --target-error was met; empty: they did not
 };

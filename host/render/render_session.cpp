@@ -45,6 +45,8 @@ RenderOptions checked(const RenderOptions& options, const Scene& scene, const De
     RenderOptions complete = resolve(options, scene);
     if ((complete.irradiance || !scene.sensor_points.empty()) && complete.method != MethodName::surface)
         throw UsageError("irradiance is measured by the surface method alone; leave out --method");
+    for (const auto& [flag, own] : {std::pair("--radiance-map", complete.radiance_map), std::pair("--density-map", complete.density_map)})
+        if (own > complete.map) throw UsageError(fmt::format("{}: {} is more than --map, which is {}", flag, own, complete.map));
     check_options(complete);  // the kernels rely on these limits, whoever calls
     check_memory(complete, device);
     return complete;
@@ -59,6 +61,11 @@ RenderOptions resolve(const RenderOptions& options, const Scene& scene) {
     if (complete.least_pencils == pencils_of_method) complete.least_pencils = standard_least_pencils(complete.method);
     if (complete.bounces == bounces_of_scene) complete.bounces = scene_bounces(scene);
     if (complete.field) complete.bounces = bounces_of(*complete.field, options.bounces);
+    if (complete.field && complete.method != MethodName::surface) {
+        complete.map = complete.field->map;
+        complete.radiance_map = complete.density_map = 0;
+        complete.pencils = shows_part(complete) ? std::min(complete.field_pencils, complete.field->count()) : complete.field->count();
+    }
     complete.lumens_per_watt = efficacy_of(complete.lumens_per_watt, scene.photometric_lights > 0);
     if (!scene.sensor_points.empty()) {
         complete.width = static_cast<int>(scene.sensor_points.size());

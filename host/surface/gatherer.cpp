@@ -53,7 +53,6 @@ void Gatherer::light(const Surfels& surfels, Buffer<float>& outgoing, std::uint6
                       static_cast<uint>(seed), outgoing, viewers);
 }
 
-/// Surfels with lobes become what these show.
 void Gatherer::follow(Surfels& surfels, std::uint64_t seed, const std::optional<Viewers>& viewers) {
     if (kernels_.features().lobes)
         follow_surfels(kernels_, scene_, {lights_.drawn, lights_.drawn}, 0, static_cast<uint>(seed), surfels, viewers);

@@ -52,6 +52,8 @@ public:
     // Parts of it:
     /// Room for so many texels, whose radiance becomes 0.
     void reserve(Gathered& gathered, int texels);
+    /// Surfels with lobes become what these show.
+    void follow(Surfels& surfels, std::uint64_t seed, const std::optional<Viewers>& viewers);
     /// Adds reflected light of the light samples.
     void light(const Surfels& surfels, Buffer<float>& outgoing, std::uint64_t seed, const std::optional<Viewers>& viewers = {});
     /// Rays of pencils towards bright spots, with how they count.
@@ -71,7 +73,6 @@ private:
     };
     void gather_spots(const GatherSource& source, const GatherTurn& turn, SurfacePencils& pencils, int first, int count,
                       const Reading& reading);
-    void follow(Surfels& surfels, std::uint64_t seed, const std::optional<Viewers>& viewers);
 
     Kernels& kernels_;
     const DeviceScene& scene_;

@@ -113,6 +113,19 @@ Buffer<float> SurfaceSolver::radiance(const Surfels& chains) {
     return radiance;
 }
 
+void SurfaceSolver::light_field(Surfels& seen, const Viewers& viewers, std::uint64_t seed, Buffer<float>& radiance) {
+    gatherer_.follow(seen, hash64(seed + 1) >> 32, viewers);
+    gatherer_.light(seen, radiance, hash64(seed + 2) >> 32, viewers);
+    if (const SurfacePencils& world = world_.pencils(); world.count > 0) {
+        Buffer<unsigned char> unused(kernels_.device(), static_cast<std::size_t>(seen.capacity), "no contacts");
+        project_surface_pencils(kernels_, scene_, seen, world, world.irradiance, world_.grid(), viewers, 0, radiance, unused);
+    }
+    if (!kernels_.features().lobes) return;
+    Buffer<float> not_seen(kernels_.device(), lights_.near_texel.size(), "emission that is not seen without lobes");
+    not_seen.fill_zero();
+    emit_hemispheres(kernels_, scene_, seen, viewers.pencils, viewers.first, not_seen, radiance);
+}
+
 void SurfaceSolver::gather(SurfacePencils& pencils, int first, int count, const TexelPoints& points, Reach reach) {
     team_.gather(gatherer_, source(), {points, reach, next_seed()}, pencils, first, count);
 }

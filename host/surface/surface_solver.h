@@ -53,6 +53,10 @@ public:
     /// and what they find: radiance[3][capacity of `chains`] that they carry [W m^-2 sr^-1], emission and reflections.
     Buffer<float> radiance(const Surfels& chains);
 
+    /// What surfels seen by pencils in free space send to them, added to radiance[3][capacity] [W m^-2 sr^-1]: light of the samples and of the world
+    /// set, reflected. Those with lobes become what these show, emission too.
+    void light_field(Surfels& seen, const Viewers& viewers, std::uint64_t seed, Buffer<float>& radiance);
+
     Course course() const;
     /// Goes on as the solver of the same world set whose course this was.
     void resume(const Course& course);

@@ -1,8 +1,8 @@
 // Directions in which the texels of a surface pencil look: each through a point of its own.
 
-#include "lib/hash.cl"
 #include "lib/hemisphere.cl"
 #include "lib/packet.cl"
+#include "lib/texel_points.cl"
 #include "shared/surface_pencil.h"
 
 /// Unit directions of the packet of map entries at `first`, of a map of n * n.
@@ -16,12 +16,8 @@ static inline void hemisphere_rays(global const SurfacePencil *pencil, int first
         column[l] = texel.x;
         row[l] = texel.y;
     }
-    vuint u = hash_packet((vuint)(hash_uint(pencil->key + hash_uint(seed))) + PACKET_AS_UINT(first + PACKET_LANES));
-    vuint v = hash_packet(u) ^ shift.y;
-    u ^= shift.x;
-    vfloat a = (PACKET_TO_FLOAT(PACKET_LOAD(column)) + PACKET_UNIT(u)) * (2.0f / n) - 1.0f;
-    vfloat c = (PACKET_TO_FLOAT(PACKET_LOAD(row)) + PACKET_UNIT(v)) * (2.0f / n) - 1.0f;
-    vfloat px, py;
+    vfloat a, c, px, py;
+    texel_points(pencil->key, first, column, row, n, seed, shift, &a, &c);
     concentric_disc(a, c, &px, &py);
     vfloat pz = sqrt(fmax(1.0f - px * px - py * py, (vfloat)(0.0f)));
     *x = px * t.x + py * b.x + pz * normal.x;

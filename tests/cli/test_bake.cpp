@@ -14,7 +14,7 @@ namespace {
 TEST(Bake, AFieldIsShown) {
     const Folder folder;
     const std::string scene = folder.write("scene.xml", small_scene()), field = (folder / "field.exr").string();
-    for (const std::string from : {"reference", "line"}) {
+    for (const std::string from : {"reference", "surface", "line"}) {
         const RunResult baked = run_pencil({"bake", scene, "-o", field, "--from", from, "--pencils", "8", "--map", "8", "--spp", "4"});
         ASSERT_EQ(baked.code, 0) << baked.err;
         EXPECT_NE(baked.out.find("8 pencils with maps of 8 x 8 texels by " + from), std::string::npos) << baked.out;
@@ -79,7 +79,7 @@ TEST(Bake, WhatIsNoFieldOrCannotBeOneIsRefused) {
 TEST(Bake, DirectLightAloneIsNothingToBake) {
     const Folder folder;
     const std::string scene = folder.write("scene.xml", small_scene()), field = (folder / "field.exr").string();
-    for (const std::string from : {"reference", "hybrid", "line"})
+    for (const std::string from : {"reference", "surface", "hybrid", "line"})
         for (const std::string depth : {"1", "2"}) {
             const RunResult result = run_pencil({"bake", scene, "-D", "depth=" + depth, "-o", field, "--from", from});
             EXPECT_EQ(result.code, 3);
@@ -122,7 +122,7 @@ TEST(Bake, ARoomWithALampIsAsBrightAsByLightPaths) {
     run({"reference", scene, "-o", file("truth.exr"), "--spp", "256"}, "4", true);
     run({"reference", scene, "-o", file("less.exr"), "--spp", "256"}, "3", true);
     EXPECT_LT(mean_ratio(file("less.exr"), file("truth.exr")), 0.95) << "an order more or less is seen";
-    for (const std::string from : {"reference", "hybrid"}) {
+    for (const std::string from : {"reference", "surface", "hybrid"}) {
         run({"bake", scene, "-o", file("field.exr"), "--from", from, "--pencils", "64", "--map", "32", "--quiet"}, "4", false);
         run({"render", scene, "-o", file("shown.exr"), "--field", file("field.exr"), "--method", "hybrid"}, "4", true);
         const double ratio = mean_ratio(file("shown.exr"), file("truth.exr"));
