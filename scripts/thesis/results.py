@@ -7,6 +7,7 @@ import subprocess
 
 import numpy
 
+import artefacts
 import plots
 import runs
 
@@ -182,6 +183,8 @@ def main():
     values["components"] = bounce_components(options)
     values["series"] = image_series(truth, options)
     values["curve"] = error_curve(truth, options)
+    values["artefacts"] = artefacts.artefacts(truth, options)
+    artefacts.field_maps(options)
     values["spp"] = options.spp
     values["seeds"] = len(SEEDS)
     page = string.Template(TEMPLATE.read_text()).substitute(values)
