@@ -86,14 +86,17 @@ SurfacePencils FieldMethod::seeds() const {
     return pencils_at(context_.kernels.device(), some, {1.0F, -1.0F}, film_map);
 }
 
-/// A world set on what the pencils see.
+/// A world set on what the pencils see, that knows what the last one has found.
 void FieldMethod::make_solver(std::uint64_t seed) {
     const std::vector<LightSample> samples = sample_lights(context_.scene, context_.flat, context_.forms, pass_.light_samples, seed);
+    const float spacing = solver_ ? solver_->spacing() : 0;
+    const std::vector<Spot> spots = solver_ ? solver_->course().spots : std::vector<Spot>();
     solver_ = nullptr;  // its memory first
     solver_ = std::make_unique<SurfaceSolver>(context_.kernels, context_.device_scene,
                                               surface_lights(context_, context_.kernels.device(), pass_, samples, seed), pass_.world,
                                               context_.clock, static_cast<uint>(seed >> 32), context_.helpers);
-    solver_->place(seeds(), 0);
+    solver_->know(spots);
+    solver_->place(seeds(), spacing);
     context_.stats.world_pencils += static_cast<std::uint64_t>(solver_->world().count);
 }
 
