@@ -53,6 +53,25 @@ TEST(Walk, WritesAnImageForEachView) {
     refused("# nothing\n", "holds no view");
 }
 
+TEST(Walk, ReadsNoMorePencilsThanAView) {
+    const Folder folder;
+    const std::string scene = folder.write("scene.xml", small_scene()), field = (folder / "field.exr").string();
+    ASSERT_EQ(run_pencil({"bake", scene, "-o", field, "--pencils", "8", "--map", "8", "--spp", "4"}).code, 0);
+    const RunResult walked =
+        run_pencil({"walk", scene, "--field", field, "--field-pencils", "3", "--views", folder.write("views.txt", "0 0 3, 0 0 0\n"), "-o",
+                    (folder / "image.exr").string(), "--resolution", "16x16", "--film-samples", "4", "--light-samples", "4"});
+    ASSERT_EQ(walked.code, 0) << walked.err;
+    EXPECT_NE(walked.out.find("3 of 8 pencils were read"), std::string::npos) << walked.out;
+    const std::string image = (folder / "part.exr").string();
+    EXPECT_EQ(run_pencil({"render", scene, "-o", image, "--field", field, "--field-pencils", "3", "--method", "hybrid", "--resolution",
+                          "16x16", "--film-samples", "4", "--light-samples", "4"})
+                  .code,
+              0);
+    const RunResult without = run_pencil({"render", scene, "-o", image, "--field-pencils", "3"});
+    EXPECT_EQ(without.code, 2);
+    EXPECT_NE(without.err.find("--field-pencils: is an option of --field"), std::string::npos) << without.err;
+}
+
 TEST(Bake, WhatIsNoFieldOrCannotBeOneIsRefused) {
     const Folder folder;
     const std::string scene = folder.write("scene.xml", small_scene()), dark = folder.write("dark.xml", small_scene(false));
