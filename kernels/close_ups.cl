@@ -11,21 +11,23 @@
 #include "shared/geometry.h"
 #include "shared/material.h"
 
-/// Surfel `item` of all: one of `each` about a sample of a pixel; steps wrap around the pixel, so that no part of it is seen more often.
+/// Surfel `item` of all: one of `each` about a sample of a pixel. Steps turn back at the edges of the pixel: no part of it is seen more often,
+/// and none by a sample whose filter weights are those of another edge.
 static inline CameraRay close_ray(int item, global const int *pixels, const Camera *camera, global const float2 *offsets, int sample_count,
                                   global const float2 *steps, int each) {
     int s = item / each % sample_count, pixel = pixels[item / (each * sample_count)];
     float2 at = offsets[s] + steps[item % each];
-    at -= floor(at);
+    at = 1.0f - fabs(1.0f - fabs(at));
     return camera_ray(camera, at + (float2)(pixel % camera->width, pixel / camera->width), offsets, s, sample_count);
 }
 
 /// launch : 1-D, one work-item per packet of PENCIL_WIDTH surfels
-/// in     : pixels[pixel_count]; offsets as in trace_film; steps[each] from a sample [pixels]; the scene and its hierarchy
+/// in     : pixels[pixel_count]; offsets as in trace_film; steps[each] from a sample, at most half a pixel; seed: of what blends show; the scene
+///          and its hierarchy
 /// out    : surfels: `each` for every sample of every pixel, in this order
 kernel void close_ups(global const int *pixels, int pixel_count, Camera camera, global const float2 *offsets, int sample_count,
-                      global const float2 *steps, int each, global const BvhNode *nodes, global const int *leaves, SURFACES_PARAMETERS,
-                      global float *surfels, int capacity) {
+                      global const float2 *steps, int each, uint seed, global const BvhNode *nodes, global const int *leaves,
+                      SURFACES_PARAMETERS, global float *surfels, int capacity) {
     int first = get_global_id(0) * PENCIL_WIDTH, count = pixel_count * sample_count * each;
     if (first >= count) return;
     float o[3][PENCIL_WIDTH], d[3][PENCIL_WIDTH];
@@ -47,6 +49,6 @@ kernel void close_ups(global const int *pixels, int pixel_count, Camera camera, 
     for (int l = 0; l < PENCIL_WIDTH && first + l < count; ++l) {
         CameraRay ray = close_ray(first + l, pixels, &camera, offsets, sample_count, steps, each);
         Hit hit = {LANE_INT(rays.triangle, l), 1.0f / (LANE_FLOAT(rays.nearest, l) + camera.near_clip)};
-        write_surfel(surfels, capacity, first + l, hit, ray.origin, ray.direction, &scene, hash_uint(as_uint(d[0][l]) ^ as_uint(d[1][l])));
+        write_surfel(surfels, capacity, first + l, hit, ray.origin, ray.direction, &scene, hash_uint(seed ^ hash_uint(first + l)));
     }
 }

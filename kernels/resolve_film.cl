@@ -91,6 +91,7 @@ static inline float3 cell_step(const FilmValues *f, int pixel, global const floa
     global const uchar *slot = f->slots + (size_t)pixel * f->sample_count;
     int first = f->first_surfel[pixel];
     float3 step = (float3)(0.0f);
+    if ((f->counts[pixel] & FILM_COUNT_MASK) == f->sample_count) return step;  // each stands for itself
     for (int k = 0; k < (f->counts[pixel] & FILM_COUNT_MASK); ++k) {
         float all = 0.0f;
         int members = 0;

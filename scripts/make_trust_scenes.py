@@ -187,6 +187,13 @@ def wall_lamps():
           (1.6, 1.5, 1.5), (-0.2, 1, -0.5), body, 70)
 
 
+def ceiling_lamp():
+    body = (room(0.1, (-2, 0, -2), (2, 2.4, 2), diffuse(0.8)) + box((-1.2, 0, -1.2), (-0.5, 0.9, -0.5), RED) +
+            ball((0.3, 2.365, -0.8), 0.03, BLACK + emitter(600, 560, 500)))
+    scene('ceiling-lamp', 'A lamp as large as a walnut, 5 mm under the ceiling, in view. Hard: it is smaller than a pixel, and half of its light\n'
+          'is reflected by a spot of the ceiling as small as a hand, which few rays find.', (1.6, 1.2, 1.8), (-0.1, 1.7, -1), body, 75)
+
+
 def maze():
     walls = ''.join(wall_with_hole(2 * k, 0.1, 0, 3, 2.4, (0.2, 0.9, 0, 2) if k % 2 else (2.1, 2.8, 0, 2), PLASTER if k % 3 else RED) for k in range(1, 10))
     body = (room(0.1, (0, 0, 0), (20, 2.4, 3)) + walls + floor_like(0.3, 0.3, (1, 2.38, 1.5), BLACK + emitter(300), False) +
@@ -219,7 +226,7 @@ def contacts():
 
 def main():
     OUT.mkdir(parents=True, exist_ok=True)
-    for make in (outdoor_rooms, tunnel, ground_plane, far_light, relief, thin_lamp, cove, uplight, wall_lamps, maze, coincident, bright_room, contacts):
+    for make in (outdoor_rooms, tunnel, ground_plane, far_light, relief, thin_lamp, cove, uplight, wall_lamps, ceiling_lamp, maze, coincident, bright_room, contacts):
         make()
 
 

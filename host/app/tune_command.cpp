@@ -31,7 +31,7 @@ void print_rows(const std::vector<TuneRow>& rows) {
     const auto print = [&](const std::string& a, const std::string& b, const std::string& c, const std::string& d) {
         std::cout << fmt::format("{:<{}}  {:<{}}  {:>10}  {}\n", a, kernels, b, variant, c, d);
     };
-    print("kernel", "variant", "time ratio", "kept");
+    print("kernel", "variant", "time ratio", "best");
     for (const TuneRow& row : rows)
         print(row.kernels, row.variant, std::isfinite(row.ratio) ? fmt::format("{:.2f}", row.ratio) : "-", outcome(row));
 }
@@ -71,7 +71,8 @@ ExitCode run_tune(const TuneCommand& command) {
         const Tuned tuned = search(command, device);
         print_rows(tuned.rows);
         print_profile(tuned.profile);
-        std::cout << "wrote    " << printable(write_profile(device->info(), tuned.profile).string()) << "\n";
+        const std::string file = printable(write_profile(device->info(), tuned.profile).string());
+        std::cout << "wrote    " << file << "\n";
     } catch (const TuneStopped&) {
         print_error("interrupted; what renders use is as it was");
         return ExitCode::interrupted;

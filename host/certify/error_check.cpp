@@ -20,6 +20,8 @@ constexpr int most_paths = 128, least_pixels = 8;
 constexpr std::size_t many_looks = 3;
 /// Errors are seldom more than so many times the spread of passes.
 constexpr double usual_excess = 4;
+/// But where they stand out of the check's noise five times, at least three quarters of them count.
+constexpr double most_doubt = 7;
 
 /// Mean and its standard error.
 struct Mean {
@@ -112,7 +114,7 @@ double join_errors(double spread, const CertifiedError& certified) {
     const double more = std::max(certified.relmse - spread, 0.0), square = more * more;
     // Errors far beyond the spread are rare, and chance is not where the check itself hardly knows: it has to stand out the more.
     const double noise = certified.standard_error * certified.standard_error,
-                 doubt = 1 + (spread > 0 ? certified.standard_error / (usual_excess * spread) : 0.0);
+                 doubt = 1 + (spread > 0 ? std::min(certified.standard_error / (usual_excess * spread), most_doubt) : most_doubt);
     return spread + (square > 0 ? more * square / (square + doubt * noise) : 0.0);
 }
 

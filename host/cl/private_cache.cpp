@@ -39,7 +39,7 @@ fs::path private_cache(const std::string& name, bool make) {
 }
 
 std::vector<char> read_private(const fs::path& path, std::size_t most) {
-    const int file = open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
+    const int file = open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
     if (file < 0) return {};
     struct stat status {};
     std::vector<char> bytes;

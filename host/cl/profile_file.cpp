@@ -130,7 +130,7 @@ fs::path write_profile(const DeviceInfo& info, const DeviceProfile& profile) {
                     {"profile", profile_json(profile)}};
     const std::string text = json_text(json, 2) + "\n";
     const fs::path file = file_of(profile_folder(), info);
-    write_file(file, text.data(), text.size());
+    write_private_file(file, text.data(), text.size());
     return file;
 }
 

@@ -78,7 +78,7 @@ void ProgramBinaries::keep(const std::string& options, const std::string& source
     const std::string hash = fingerprint(bytes.data(), bytes.size());
     bytes.insert(bytes.end(), hash.begin(), hash.end());
     try {
-        write_file(file(named), bytes.data(), bytes.size());
+        write_private_file(file(named), bytes.data(), bytes.size());
         remove_oldest(folder_);
     } catch (const OutputError&) {
         // A full disk costs the next start its time, not this render its image.

@@ -35,9 +35,10 @@ CloseUps look_closely(Kernels& kernels, const DeviceScene& scene, const FilmSamp
     close.samples = film.count;
     close.pixels = Buffer<int>(device, pixels, "pixels that are looked at closely");
     close.surfels = Surfels(kernels, looked_at * each, "close-ups");
+    const auto seed = static_cast<uint>(hash64(hash64(turn.seed + 107) + turn.index) >> 32);
     const Buffer<glm::vec2> steps(device, steps_about(each, film.count, turn), "steps of close-ups");
     kernels.get("close_ups")
-        .args(close.pixels, static_cast<int>(pixels.size()), film.camera, film.offsets, film.count, steps, each, scene.hierarchy(),
+        .args(close.pixels, static_cast<int>(pixels.size()), film.camera, film.offsets, film.count, steps, each, seed, scene.hierarchy(),
               scene.surfaces(), close.surfels.store())
         .run(kernels.packets(close.surfels.count), "close-ups");
     return close;

@@ -69,7 +69,9 @@ Film::Film(Kernels& kernels, const DeviceScene& scene, const FilmCamera& camera,
     }
     hits_ = Buffer<Hit>();
     split_ = Buffer<unsigned char>();
-    if (!split.empty()) close_ups_ = look_closely(kernels, scene, {camera_, offsets_, samples_}, whole_pixels(split), surfels_.count, turn);
+    // A sample that shows nothing has no surfel that could be the mean of what lies about it.
+    if (!split.empty() && !has_empty_)
+        close_ups_ = look_closely(kernels, scene, {camera_, offsets_, samples_}, whole_pixels(split), surfels_.count, turn);
 }
 
 Film::Film(Kernels& kernels, const Camera& camera, Receivers receivers)

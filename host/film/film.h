@@ -23,7 +23,7 @@ struct FilmCamera {
 class Film {
 public:
     /// Rasterises the scene for the camera and makes the surfels (launchers of classify_film, film_surfels). `split`: not 0 for pixels whose
-    /// visibility samples have a surfel each and, where all of them show something, close-ups; empty: none.
+    /// visibility samples have a surfel each and, where the whole film shows something, close-ups; empty: none.
     Film(Kernels& kernels, const DeviceScene& scene, const FilmCamera& camera, const ReconstructionFilter& filter, const Turn& turn,
          const std::vector<unsigned char>& split = {});
 
@@ -38,6 +38,7 @@ public:
     const Buffer<int>& first_surfel() const { return first_surfel_; }  // per pixel
     const Buffer<unsigned char>& slots() const { return slots_; }      // per visibility sample: its surfel's number in the pixel
     const CloseUps& close_ups() const { return close_ups_; }
+    void release_close_ups() { close_ups_ = CloseUps(); }
     const FilterTable& filter_table() const { return table_; }
     int width() const { return camera_.width; }
     int height() const { return camera_.height; }

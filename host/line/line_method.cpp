@@ -76,10 +76,12 @@ MethodNeeds line_needs(const Scene& scene, const std::vector<LightForm>& forms, 
     if (kind != PENCIL_MAP_OCTAHEDRAL && (options.field || options.keep_field))
         throw UsageError("a field of pencils has octahedral maps; take --map-kind octahedral");
     if (scene.environment || !scene.directional_lights.empty())
-        throw UsageError(
-            "line projection knows no light from infinitely far away: environments, skies, directional lights; take --method surface");
+        throw UsageError(options.keep_field ? "a field needs lights at a finite distance: no environment, sky or directional light"
+                                            : "line projection knows no light from infinitely far away: environments, skies, directional "
+                                              "lights; take --method surface");
     if (scene.sensor.orthographic || scene.sensor.aperture_radius > 0)
-        throw UsageError("line projection knows the pinhole camera alone; take --method surface");
+        throw UsageError(options.keep_field ? "a field is baked from a pinhole camera's scene; take a perspective sensor"
+                                            : "line projection knows the pinhole camera alone; take --method surface");
     MethodNeeds needs;
     if (!options.field && options.bounces != 0) needs.kernels = sure_kernels(form);
     needs.maps = planned_maps(scene, forms, options);

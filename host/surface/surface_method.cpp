@@ -125,7 +125,7 @@ void SurfaceMethod::begin_frame(int index, const SurfacePass& pass, const std::v
 /// Half a pass is worth nothing beside whole ones: only whole ones join the mean. False if nothing can be added to the direct light.
 bool SurfaceMethod::add_pass(const SurfacePass& pass) {
     const std::vector<std::string>& aovs = context_.options.aovs;
-    course_.split = mean_.noisy_pixels();
+    course_.split = course_.thrift > 0 ? std::vector<unsigned char>() : mean_.noisy_pixels();
     begin_frame(course_.index, pass, course_.index == 0 ? aovs : light_layers(aovs));
     const Turn now = turn(course_.index);
     const std::vector<float> emission = frame_->layers().beauty();

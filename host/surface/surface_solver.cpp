@@ -79,20 +79,14 @@ void SurfaceSolver::solve(int map, int orders, double tolerance, std::uint64_t s
     contacts_ = !limited_ || orders >= 3;
     if (!direct_ || world_.pencils().count == 0) return inform_team();  // film pencils see no reflections
     seed_ = static_cast<uint>(hash64(seed) >> 32);
-    const bool first = spots_.count == 0;
-    add_bounces(map, orders, tolerance, seed);
-    // What has been found is worth more than what it was found by.
-    if (first && has_spots() && world_.pencils().count > 0) add_bounces(map, orders, tolerance, hash64(seed));
-    inform_team();
-}
-
-/// One gather, and its bounces.
-void SurfaceSolver::add_bounces(int map, int orders, double tolerance, std::uint64_t seed) {
     clock_.run("world pencils", [&] { world_.gather(map, seed); });
     clock_.run("world bounces", [&] {
+        // Lights look about by rays of their own, so that what they find serves the first gather, too.
+        if (!looked_) adopt(near_ = spots_near_lights());
         iterate(orders, tolerance);
         if (!looked_) look_for_spots();  // so few orders that the world set needs no light of the samples
     });
+    inform_team();
 }
 
 /// Each draws other light samples.
@@ -172,7 +166,7 @@ void SurfaceSolver::adopt(const std::vector<Spot>& found) {
 
 /// Among what the world set sees, which sends `outgoing`, and near lights.
 std::vector<Spot> SurfaceSolver::spots_among(const Buffer<float>& outgoing) {
-    std::vector<Spot> spots = spots_near_lights();
+    std::vector<Spot> spots = near_;
     const auto known = [&](const Spot& found) {
         return std::any_of(spots.begin(), spots.end(), [&](const Spot& s) { return glm::distance(s.centre, found.centre) < s.radius; });
     };

@@ -79,7 +79,6 @@ public:
 private:
     void sum_light(bool emission, bool direct, Buffer<float4>& irradiance);
     std::uint64_t next_seed();
-    void add_bounces(int map, int orders, double tolerance, std::uint64_t seed);
     void iterate(int orders, double tolerance);
     void close_series(const BounceSeries& series, const Buffer<float4>& last);
     void solve_rest(const Buffer<float4>& last, double tolerance);
@@ -101,6 +100,7 @@ private:
     WorldSet world_;
     Gatherer gatherer_;
     GatherTeam team_;
+    std::vector<Spot> near_;  // before lights, of this world set
     DeviceSpots spots_;
     bool looked_ = false;        // this world set has looked for spots
     Buffer<float4> shorter_;     // irradiance of the world set up to one order less, if orders are limited

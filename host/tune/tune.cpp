@@ -164,7 +164,7 @@ private:
             return same_launches(trial.profile, over.profile) ? 1 : time_ratio(trial, over, differing(trial.profile, over.profile));
         };
         const double noise = noise_between(trials[1], trials[0]);
-        const Trial* chosen = stored && ratio(*stored, trials[0]) < 1 - stay_margin + noise ? stored : nullptr;
+        const Trial* chosen = stored && ratio(*stored, trials[0]) < std::min(1 - stay_margin + noise, 1.0) ? stored : nullptr;
         if (fresh && ratio(*fresh, chosen ? *chosen : trials[0]) < 1 - std::max(win_margin, 2 * noise)) chosen = fresh;
         if (chosen) best_ = chosen->profile;
         if (fresh) add_row({}, "all that is kept above", *fresh, time_ratio(*fresh, trials[0]), fresh == chosen);

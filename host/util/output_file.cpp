@@ -25,11 +25,11 @@ namespace fs = std::filesystem;
 /// A file that goes away with this object unless `rename_to` succeeded.
 class TemporaryFile {
 public:
-    TemporaryFile(const fs::path& folder, const fs::path& wanted) : wanted_(wanted) {
+    TemporaryFile(const fs::path& folder, const fs::path& wanted, mode_t mode = 0666) : wanted_(wanted) {
         const int attempts = 100;  // leftovers of killed processes with our process id
         for (int i = 0; i < attempts && descriptor_ < 0; ++i) {
             path_ = folder / (fmt::format(".pencil-{}-{}.tmp", ::getpid(), i));
-            descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+            descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
             if (descriptor_ < 0 && errno != EEXIST) fail(wanted_, errno);
         }
         if (descriptor_ < 0) fail(wanted_, EEXIST);
@@ -93,11 +93,19 @@ void check_writable(const fs::path& path) {
     TemporaryFile(folder_of(target), path);
 }
 
-void write_file(const fs::path& path, const void* data, std::size_t bytes) {
+namespace {
+
+void write_file(const fs::path& path, const void* data, std::size_t bytes, mode_t mode) {
     const fs::path target = resolve(path);
-    TemporaryFile file(folder_of(target), path);
+    TemporaryFile file(folder_of(target), path, mode);
     file.write(data, bytes);
     file.rename_to(target);
 }
+
+}  // namespace
+
+void write_file(const fs::path& path, const void* data, std::size_t bytes) { write_file(path, data, bytes, 0666); }
+
+void write_private_file(const fs::path& path, const void* data, std::size_t bytes) { write_file(path, data, bytes, 0600); }
 
 }  // namespace pencil

@@ -14,4 +14,7 @@ void check_writable(const std::filesystem::path& path);
 /// Replaces `path` (the target, if it is a symbolic link) by `bytes` of `data`. OutputError if that fails; nothing is left behind then.
 void write_file(const std::filesystem::path& path, const void* data, std::size_t bytes);
 
+/// The same of a file that none but its owner may read or write, whatever the umask.
+void write_private_file(const std::filesystem::path& path, const void* data, std::size_t bytes);
+
 }  // namespace pencil

@@ -156,6 +156,12 @@ TEST(ErrorCheck, BothSourcesAreJoined) {
     EXPECT_NEAR(join_errors(0.01, certified), 0.5, 0.01) << "a bias that stands out counts in full";
     certified.relmse = 0.02;
     EXPECT_LT(join_errors(0.01, certified), 0.02) << "noise of the check counts little";
+    certified.relmse = 0.013;
+    EXPECT_LT(join_errors(1e-4, certified), 0.0035) << "and least where it knows so much less than the passes";
+    for (const double spread : {0.0, 1e-12, 1e-6, 1e-3}) {
+        certified.relmse = spread + 0.05;
+        EXPECT_GT(join_errors(spread, certified), 0.025) << "what stands out five times is half of the error at least";
+    }
     certified.relmse = -0.02;
     EXPECT_EQ(join_errors(0.01, certified), 0.01);
     EXPECT_EQ(join_errors(std::numeric_limits<double>::infinity(), certified), 0.01) << "one pass: what the check can tell";

@@ -86,7 +86,7 @@ TEST(TrustSpots, TakeNoLight) {
     RenderOptions options;
     options.target_error = 1e-3;
     const double expected = mean(layer(render_layers(scene, options), "").pixels);
-    constexpr int seeds = 24;
+    constexpr int seeds = 12;
     double first = 0, fourth = 0;
     options.aovs = {};
     for (options.seed = 1; options.seed <= seeds; ++options.seed) {

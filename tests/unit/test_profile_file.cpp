@@ -1,5 +1,6 @@
 // Tuned profiles on disk: given back to the same device and driver, to none other, and never with numbers that nobody could have measured.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -114,6 +115,13 @@ TEST_F(ProfileOnDisk, IsNotTakenFromOthers) {
     const std::filesystem::path file = write_profile(info_, profile_);
     std::filesystem::permissions(file, std::filesystem::perms::all);
     expect_ignored(read_profile(info_), "others may write it");
+}
+
+TEST_F(ProfileOnDisk, ComesBackWhateverTheUmask) {
+    const mode_t before = umask(002);
+    write_profile(info_, profile_);
+    umask(before);
+    EXPECT_TRUE(read_profile(info_).profile.has_value());
 }
 
 TEST_F(ProfileOnDisk, IsNotUsedUnlessAllowed) { EXPECT_FALSE(tuned_profiles_allowed()) << "tests do not depend on who has tuned what"; }
