@@ -31,16 +31,8 @@ kernel void close_ups(global const int *pixels, int pixel_count, Camera camera, 
     int first = get_global_id(0) * PENCIL_WIDTH, count = pixel_count * sample_count * each;
     if (first >= count) return;
     float o[3][PENCIL_WIDTH], d[3][PENCIL_WIDTH];
-    for (int l = 0; l < PENCIL_WIDTH; ++l) {
-        CameraRay ray = close_ray(min(first + l, count - 1), pixels, &camera, offsets, sample_count, steps, each);
-        float4 start = ray.origin + camera.near_clip * ray.direction;
-        o[0][l] = start.x;
-        o[1][l] = start.y;
-        o[2][l] = start.z;
-        d[0][l] = ray.direction.x;
-        d[1][l] = ray.direction.y;
-        d[2][l] = ray.direction.z;
-    }
+    for (int l = 0; l < PENCIL_WIDTH; ++l)
+        store_camera_ray(&camera, close_ray(min(first + l, count - 1), pixels, &camera, offsets, sample_count, steps, each), l, o, d);
     LaneRays rays = lane_rays(PACKET_LOAD(o[0]), PACKET_LOAD(o[1]), PACKET_LOAD(o[2]), PACKET_LOAD(d[0]), PACKET_LOAD(d[1]),
                               PACKET_LOAD(d[2]), (vint)(-1), (vfloat)(camera.far_clip - camera.near_clip));
     lanes_trace(&rays, false, nodes, leaves, triangles, planes);

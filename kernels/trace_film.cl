@@ -16,14 +16,7 @@ static inline void trace_wide(global const BvhNode *nodes, global const int *lea
     for (int l = 0; l < PENCIL_WIDTH; ++l) {
         int item = min(first + l, count - 1), pixel = item / sample_count, sample = item % sample_count;
         float2 at = (float2)(pixel % camera->width, first_row + pixel / camera->width) + offsets[sample];
-        CameraRay ray = camera_ray(camera, at, offsets, sample, sample_count);
-        float4 start = ray.origin + camera->near_clip * ray.direction;
-        o[0][l] = start.x;
-        o[1][l] = start.y;
-        o[2][l] = start.z;
-        d[0][l] = ray.direction.x;
-        d[1][l] = ray.direction.y;
-        d[2][l] = ray.direction.z;
+        store_camera_ray(camera, camera_ray(camera, at, offsets, sample, sample_count), l, o, d);
     }
     LaneRays rays = lane_rays(PACKET_LOAD(o[0]), PACKET_LOAD(o[1]), PACKET_LOAD(o[2]), PACKET_LOAD(d[0]), PACKET_LOAD(d[1]),
                               PACKET_LOAD(d[2]), (vint)(-1), (vfloat)(camera->far_clip - camera->near_clip));

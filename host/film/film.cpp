@@ -26,6 +26,13 @@ int rows_per_strip(const Camera& camera, int samples) {
     return static_cast<int>(std::clamp<std::size_t>(strip_bytes / row, 1, static_cast<std::size_t>(camera.height)));
 }
 
+std::vector<int> numbers_of(const std::vector<unsigned char>& marked) {
+    std::vector<int> numbers;
+    for (std::size_t i = 0; i < marked.size(); ++i)
+        if (marked[i] != 0) numbers.push_back(static_cast<int>(i));
+    return numbers;
+}
+
 std::size_t pixel_count(const Camera& camera) { return static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height); }
 
 }  // namespace
@@ -71,7 +78,7 @@ Film::Film(Kernels& kernels, const DeviceScene& scene, const FilmCamera& camera,
     split_ = Buffer<unsigned char>();
     // A sample that shows nothing has no surfel that could be the mean of what lies about it.
     if (!split.empty() && !has_empty_)
-        close_ups_ = look_closely(kernels, scene, {camera_, offsets_, samples_}, whole_pixels(split), surfels_.count, turn);
+        close_ups_ = look_closely(kernels, scene, {camera_, offsets_, samples_}, numbers_of(split), surfels_.count, turn);
 }
 
 Film::Film(Kernels& kernels, const Camera& camera, Receivers receivers)
@@ -132,15 +139,6 @@ int Film::number_surfels(const std::shared_ptr<Device>& device) {
                 }
     first_surfel_ = Buffer<int>(device, first, "first surfels");
     return next;
-}
-
-/// Those of them whose every sample has a surfel.
-std::vector<int> Film::whole_pixels(const std::vector<unsigned char>& split) const {
-    const std::vector<unsigned char> counts = counts_.read();
-    std::vector<int> pixels;
-    for (std::size_t p = 0; p < split.size(); ++p)
-        if (split[p] != 0 && counts[p] == samples_) pixels.push_back(static_cast<int>(p));
-    return pixels;
 }
 
 /// Shares of samples from turn to turn are those of the golden section.

@@ -76,7 +76,6 @@ private:
     void classify(Kernels& kernels, const DeviceScene& scene, int first_row, int rows);
     void write_surfels(Kernels& kernels, const DeviceScene& scene, int first_row, int rows, const Turn& turn);
     int number_surfels(const std::shared_ptr<Device>& device);
-    std::vector<int> whole_pixels(const std::vector<unsigned char>& split) const;
     std::vector<float> resolve(Kernels& kernels, const Buffer<float>& values, int first_field, const Buffer<float>* background,
                                bool at_drawn) const;
 

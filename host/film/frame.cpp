@@ -94,6 +94,7 @@ bool Frame::add_direct(const std::function<void()>& light) {
         light_surfels(context_.kernels, context_.device_scene, film_->surfels(), lights_, outgoing_, "direct light to film");
         light_close_ups();
     });
+    film_->release_close_ups();
     if (!context_.maps_emit) finish_bounce(1, 0, 0);
     return true;
 }
@@ -105,7 +106,6 @@ void Frame::light_close_ups() {
     Buffer<float> light = surfel_rgb(context_.kernels.device(), close.surfels.capacity, "light of close-ups");
     light_surfels(context_.kernels, context_.device_scene, close.surfels, lights_, light, "direct light to close-ups");
     average_close_ups(context_.kernels, close, film_->first_surfel(), light, outgoing_, film_->surfels().capacity);
-    film_->release_close_ups();
 }
 
 void Frame::finish_bounce(int order, int pencils, double projection_seconds) {

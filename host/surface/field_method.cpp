@@ -46,10 +46,7 @@ SurfacePencils pencils_at(const std::shared_ptr<Device>& device, const std::vect
             pencil.key = static_cast<uint>(made.size());
             made.push_back(pencil);
         }
-    SurfacePencils pencils(device, static_cast<int>(made.size()), map);
-    pencils.data.write(made);
-    pencils.count = static_cast<int>(made.size());
-    return pencils;
+    return {device, made, map};
 }
 
 }  // namespace

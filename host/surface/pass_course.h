@@ -14,18 +14,17 @@ namespace pencil {
 constexpr int most_thrift = 4;
 
 struct PassCourse {
-    int index = 0;         // of the next pass
-    double film_rays = 0;  // of film pencils of the last one
-    int world_set = -1;    // that was placed last,
-    int placed_by = 0;     // by this pass,
-    int wish = 1;          // with so many pencils in mind
-    float guess = 0;       // and this guess of their spacing,
-    float spacing = 0;     // which became this
-    int thrift = 0;        // times that memory was short: each halves what the world set takes
-    double work = 0;       // of all, as Patience counts it
-    // Pixels whose visibility samples had a surfel each: in the last pass, and in the one that placed the world set; empty: none.
-    std::vector<unsigned char> split, placed_split;
-    double pixel_noise = 0, mean_noise = 0;  // of a pass, when the world set was placed
+    int index = 0;                            // of the next pass
+    double film_rays = 0;                     // of film pencils of the last one
+    int world_set = -1;                       // that was placed last,
+    int placed_by = 0;                        // by this pass,
+    int wish = 1;                             // with so many pencils in mind
+    float guess = 0;                          // and this guess of their spacing,
+    float spacing = 0;                        // which became this
+    int thrift = 0;                           // times that memory was short: each halves what the world set takes
+    double work = 0;                          // of all, as Patience counts it
+    std::vector<unsigned char> placed_split;  // pixels that were split (Film) in the pass that placed the world set; empty: none
+    double pixel_noise = 0, mean_noise = 0;   // of a pass, when the world set was placed
     WorldBalance balance;
     SurfaceSolver::Course solver;
 

@@ -85,10 +85,7 @@ SurfacePencils probes_of(const std::shared_ptr<Device>& device, const std::vecto
             probe.key = static_cast<uint>(probes.size());
             probes.push_back(probe);
         }
-    SurfacePencils pencils(device, static_cast<int>(probes.size()), probe_map);
-    pencils.data.write(probes);
-    pencils.count = static_cast<int>(probes.size());
-    return pencils;
+    return {device, probes, probe_map};
 }
 
 }  // namespace pencil

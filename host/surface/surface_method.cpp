@@ -118,15 +118,17 @@ bool SurfaceMethod::be_thrifty(const MemoryError& error) {
     return true;
 }
 
-void SurfaceMethod::begin_frame(int index, const SurfacePass& pass, const std::vector<std::string>& aovs) {
-    frame_ = std::make_unique<Frame>(context_, aovs, pass.light_samples, 0, turn(index), course_.split);
+void SurfaceMethod::begin_frame(int index, const SurfacePass& pass, const std::vector<std::string>& aovs,
+                                const std::vector<unsigned char>& split) {
+    frame_ = std::make_unique<Frame>(context_, aovs, pass.light_samples, 0, turn(index), split);
 }
 
 /// Half a pass is worth nothing beside whole ones: only whole ones join the mean. False if nothing can be added to the direct light.
 bool SurfaceMethod::add_pass(const SurfacePass& pass) {
     const std::vector<std::string>& aovs = context_.options.aovs;
-    course_.split = course_.thrift > 0 ? std::vector<unsigned char>() : mean_.noisy_pixels();
-    begin_frame(course_.index, pass, course_.index == 0 ? aovs : light_layers(aovs));
+    const std::vector<unsigned char> split = course_.thrift > 0 ? std::vector<unsigned char>() : mean_.noisy_pixels();
+    if (pass.world_set != course_.world_set) course_.placed_split = split;
+    begin_frame(course_.index, pass, course_.index == 0 ? aovs : light_layers(aovs), split);
     const Turn now = turn(course_.index);
     const std::vector<float> emission = frame_->layers().beauty();
     const bool lit = add_direct(pass, hash64(now.seed + 2) + now.index);
@@ -169,8 +171,7 @@ void SurfaceMethod::resume() {
     context_.clock.allow_stops();
     if (course_.world_set < 0 || course_.world_set != pass(course_.index).world_set) return;
     const SurfacePass placing = pass(course_.placed_by);
-    course_.split = course_.placed_split;
-    begin_frame(course_.placed_by, placing, {});
+    begin_frame(course_.placed_by, placing, {}, course_.placed_split);
     place_world(placing, FilmPixels(frame_->film()));
     solver_->resume(course_.solver);
     frame_ = nullptr;
@@ -226,7 +227,6 @@ void SurfaceMethod::add_bounces(const SurfacePass& pass, const Turn& turn) {
         course_.wish = pass.world.pencils;
         course_.spacing = solver_->spacing();
         course_.placed_by = course_.index;
-        course_.placed_split = course_.split;
         course_.world_set = pass.world_set;
         course_.pixel_noise = mean_.noise_of_pixels();
         course_.mean_noise = mean_.noise_of_mean();

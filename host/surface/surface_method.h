@@ -35,7 +35,7 @@ private:
     bool add_pass();
     bool add_pass(const SurfacePass& pass);
     bool be_thrifty(const MemoryError& error);
-    void begin_frame(int index, const SurfacePass& pass, const std::vector<std::string>& aovs);
+    void begin_frame(int index, const SurfacePass& pass, const std::vector<std::string>& aovs, const std::vector<unsigned char>& split);
     bool add_direct(const SurfacePass& pass, std::uint64_t seed);
     void add_bounces(const SurfacePass& pass, const Turn& turn);
     void gather_film(const SurfacePass& pass, const FilmPixels& pixels, const Turn& turn);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <tuple>
+#include <vector>
 
 #include "cl/buffer.h"
 #include "shared/surface_pencil.h"
@@ -20,6 +21,12 @@ struct SurfacePencils {
         : n(map_size),
           data(device, static_cast<std::size_t>(room), "surface pencils"),
           irradiance(device, static_cast<std::size_t>(room), "irradiance of surface pencils") {}
+    /// These pencils.
+    SurfacePencils(const std::shared_ptr<Device>& device, const std::vector<SurfacePencil>& pencils, int map_size)
+        : SurfacePencils(device, static_cast<int>(pencils.size()), map_size) {
+        data.write(pencils);
+        count = static_cast<int>(pencils.size());
+    }
     /// Makes room for `more` pencils behind the present ones.
     void reserve(const std::shared_ptr<Device>& device, std::size_t more);
     int texels() const { return n * n; }

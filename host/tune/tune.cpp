@@ -167,7 +167,7 @@ private:
         const Trial* chosen = stored && ratio(*stored, trials[0]) < std::min(1 - stay_margin + noise, 1.0) ? stored : nullptr;
         if (fresh && ratio(*fresh, chosen ? *chosen : trials[0]) < 1 - std::max(win_margin, 2 * noise)) chosen = fresh;
         if (chosen) best_ = chosen->profile;
-        if (fresh) add_row({}, "all that is kept above", *fresh, time_ratio(*fresh, trials[0]), fresh == chosen);
+        if (fresh) add_row({}, "all that is best above", *fresh, time_ratio(*fresh, trials[0]), fresh == chosen);
         if (stored) add_row({}, "as tuned before", *stored, time_ratio(*stored, trials[0]), stored == chosen);
     }
 

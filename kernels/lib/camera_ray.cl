@@ -17,3 +17,15 @@ static inline CameraRay camera_ray(const Camera *camera, float2 at, global const
     ray.direction.xyz -= moved * camera->lens_x.w;
     return ray;
 }
+
+/// The ray from where it comes nearer than the near distance no more, as lane `lane` of origins and directions.
+static inline void store_camera_ray(const Camera *camera, CameraRay ray, int lane, float (*origin)[PENCIL_WIDTH],
+                                    float (*direction)[PENCIL_WIDTH]) {
+    float4 start = ray.origin + camera->near_clip * ray.direction;
+    origin[0][lane] = start.x;
+    origin[1][lane] = start.y;
+    origin[2][lane] = start.z;
+    direction[0][lane] = ray.direction.x;
+    direction[1][lane] = ray.direction.y;
+    direction[2][lane] = ray.direction.z;
+}
