@@ -101,7 +101,7 @@ TEST(TrustSpots, TakeNoLight) {
 }
 
 /// What a lamp lights on the ceiling just above it is known from the first pass on, whatever the seed: without rays of their own to it means of
-/// passes vary by a sixth and more.
+/// passes vary by a seventh.
 TEST(TrustSpots, ALampUnderTheCeilingLooksForWhatItLights) {
     const Scene scene = room_with_near_lamp(0.005);
     RenderOptions options;
