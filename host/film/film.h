@@ -44,6 +44,8 @@ public:
     int height() const { return camera_.height; }
     /// A point that the surfel is seen from, about [scene units].
     glm::vec3 viewer(int surfel) const { return viewers_.empty() ? eye_ : viewers_[static_cast<std::size_t>(surfel)]; }
+    /// Visibility samples of each pixel.
+    int samples() const { return samples_; }
     bool is_row_of_sensors() const { return !viewers_.empty(); }
 
     /// Pixels (rgb, rows from the top) of light, values[3][surfels().capacity], and of `background` where samples show nothing; launcher of

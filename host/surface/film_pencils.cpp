@@ -150,17 +150,23 @@ void FilmPencils::refine_lattice(SurfaceSolver& solver, const TexelPoints& point
     }
 }
 
-/// A pencil for each uncovered surfel: at silhouettes, in creases and on small things.
+/// A pencil for each uncovered surfel: at silhouettes, in creases and on small things. Pixels that are split are covered whole or not at all:
+/// pencils of a lattice reach further from where a lamp close by is faint than from where it is bright, so one smaller than a pixel would lose
+/// light.
 void FilmPencils::place_singles(const std::vector<unsigned char>& uncovered) {
     ChosenSurfels chosen;
     std::vector<int> at(uncovered.size(), -1);
-    for (std::size_t pixel = 0; pixel < at_.size(); ++pixel)
+    for (std::size_t pixel = 0; pixel < at_.size(); ++pixel) {
+        const auto first = uncovered.begin() + pixels_.first_surfel[pixel];
+        const bool all =
+            pixels_.shows_samples(pixel) && std::find(first, first + pixels_.surfels(pixel), 1) != first + pixels_.surfels(pixel);
         for (int k = 0; k < pixels_.surfels(pixel); ++k) {
             const int i = pixels_.first_surfel[pixel] + k;
-            if (!uncovered[static_cast<std::size_t>(i)]) continue;
+            if (!all && !uncovered[static_cast<std::size_t>(i)]) continue;
             at[static_cast<std::size_t>(i)] = static_cast<int>(chosen.surfels.size());
             chosen.add(i, static_cast<uint>(pixel + static_cast<std::size_t>(k + 1) * at_.size()), film_.viewer(i));
         }
+    }
     place_surface_pencils(kernels_, film_.surfels(), chosen, singles_);
     single_at_.write(at);
 }

@@ -15,6 +15,8 @@ struct FilmPixels {
     /// True if the pixel shows something; its first surfel then is first_surfel[pixel].
     bool shows(std::size_t pixel) const { return surfels(pixel) > 0; }
     int surfels(std::size_t pixel) const { return counts[pixel] & FILM_COUNT_MASK; }
+    /// True if each visibility sample has a surfel of its own.
+    bool shows_samples(std::size_t pixel) const { return film.samples() > 1 && surfels(pixel) == film.samples(); }
 
     const Film& film;
     std::vector<unsigned char> counts;

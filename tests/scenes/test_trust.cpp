@@ -121,6 +121,27 @@ TEST(TrustSpots, ALampUnderTheCeilingLooksForWhatItLights) {
     EXPECT_LT(deviation, 0.05);
 }
 
+/// What a lamp lights on the ceiling just above it, nearer than a pixel is wide: light samples carry part of it, film pencils the rest.
+TEST(TrustSpots, ALampNearerThanAPixelLightsAllThatItLights) {
+    const Scene scene = room_with_near_lamp(0.005);
+    ReferenceOptions reference;
+    reference.spp = 1 << 12;
+    reference.bounces = true;
+    const auto brightest = [](const std::vector<float>& image) { return *std::max_element(image.begin(), image.end()); };
+    const double expected = brightest(layer(trace_paths(scene, reference).layers, "direct").pixels);
+    RenderOptions options;
+    options.bounces = 1;
+    options.target_error = 1e-9;
+    options.aovs = {"direct", "bounces"};
+    RenderSession session(scene, options, device());
+    for (int pass = 0; pass < 30; ++pass) session.advance();
+    std::vector<float> light = layer(session.snapshot(), "direct").pixels;
+    const std::vector<float> near = layer(session.snapshot(), "indirect").pixels;
+    for (std::size_t i = 0; i < light.size(); ++i) light[i] += near[i];
+    std::printf("brightest pixel %.4f of the path tracer's\n", brightest(light) / expected);
+    EXPECT_NEAR(brightest(light) / expected, 1.0, 0.03);
+}
+
 /// A lamp of half a pixel is as bright as it is, and known soon: sixteen visibility samples a pass meet it eight times, give or take one.
 TEST(TrustSpots, ALampSmallerThanAPixelHasItsLight) {
     Scene scene = room_with_near_lamp(0.9);
