@@ -2,10 +2,11 @@
 
 namespace pencil {
 
-void emit_hemispheres(Kernels& kernels, const DeviceScene& scene, const Surfels& surfels, const SurfacePencils& pencils, int first,
+void emit_hemispheres(Kernels& kernels, const DeviceScene& scene, const Surfels& surfels, const Viewers& viewers,
                       const Buffer<float>& near_area, Buffer<float>& radiance) {
     kernels.get("emit_hemispheres")
-        .args(surfels.list(), pencils.data, first, pencils.n, scene.materials, near_area, scene.environment(), radiance)
+        .args(surfels.list(), viewers.pencils.data, viewers.first, viewers.rays_each(), scene.materials, near_area, scene.environment(),
+              radiance)
         .run(static_cast<std::size_t>(surfels.count), "emission");
 }
 

@@ -32,6 +32,9 @@ enum Draw : std::uint64_t {
     chains_of_guides
 };
 
+/// Pencils of shared keys draw by which part of their set they are in.
+std::uint64_t part_of(Keys keys, int first) { return keys == Keys::own ? 0 : static_cast<std::uint64_t>(first) << 8; }
+
 uint seed_of(std::uint64_t seed, std::uint64_t draw) { return static_cast<uint>(hash64(seed + draw) >> 32); }
 
 }  // namespace
@@ -77,35 +80,54 @@ void Gatherer::gather_chunk(const GatherSource& source, const GatherTurn& turn, 
     if (world.count > 0)
         project_surface_pencils(kernels_, scene_, surfels, world, reading.irradiance, source.grid, viewers, reading.nearness, outgoing,
                                 contact);
-    // Texels and rays towards spots share what is reflected; contacts and emission are left to texels.
-    if (source.spots) share_hemispheres(kernels_, pencils, first, count, *source.spots, turn.points, outgoing, surfels.capacity);
+    emit_and_share(source, turn, viewers, count, lights_.near_film, seen_);
     if (source.contacts && world.count > 0) gather_contacts(source, turn, viewers, count);
-    emit_hemispheres(kernels_, scene_, surfels, pencils, first, lights_.near_film, outgoing);
     sum_hemispheres(kernels_, outgoing, surfels.capacity, 0, first, count, pencils.n, pencils.irradiance);
-    if (source.spots) gather_spots(source, turn, pencils, first, count, reading);
+    if (source.spots) gather_spots(source, turn, pencils, first, count, reading, lights_.near_film);
 }
 
-const Gatherer::Guided& Gatherer::guide(const DeviceSpots& spots, const GatherTurn& turn, const SurfacePencils& pencils, int first,
-                                        int count, Keys keys) {
+/// Texels and rays towards spots share what is reflected, and what is emitted if spots shine; contacts are left to texels.
+void Gatherer::emit_and_share(const GatherSource& source, const GatherTurn& turn, const Viewers& viewers, int count,
+                              const Buffer<float>& near_area, Gathered& seen) {
+    const bool shared = source.spots && source.spots->shine();
+    const auto emit = [&] { emit_hemispheres(kernels_, scene_, seen.surfels, viewers, near_area, seen.outgoing); };
+    if (shared) emit();
+    if (source.spots)
+        share_hemispheres(kernels_, viewers.pencils, viewers.first, count, *source.spots, turn.points, seen.outgoing,
+                          seen.surfels.capacity);
+    if (!shared) emit();
+}
+
+Gatherer::Guided& Gatherer::guide(const DeviceSpots& spots, const GatherTurn& turn, const SurfacePencils& pencils, int first, int count,
+                                  Keys keys) {
     Gathered& found = guided_.found;
     reserve(found, count * SPOT_RAYS);
     const auto capacity = static_cast<std::size_t>(found.surfels.capacity);
     if (guided_.factors.size() < capacity) guided_.factors = Buffer<float>(kernels_.device(), capacity, "factors of guided rays");
     guide_hemispheres(kernels_, scene_, pencils, first, count, spots, turn.points, found.surfels, guided_.factors, keys);
     const std::optional<Viewers> viewers = keys == Keys::own ? std::optional<Viewers>({pencils, first, SPOT_RAYS}) : std::nullopt;
-    const std::uint64_t part = keys == Keys::own ? 0 : static_cast<std::uint64_t>(first) << 8;
-    follow(found.surfels, seed_of(turn.seed + part, chains_of_guides), viewers);
-    light(found.surfels, found.outgoing, seed_of(turn.seed + part, lights_of_guides), viewers);
+    follow(found.surfels, seed_of(turn.seed + part_of(keys, first), chains_of_guides), viewers);
     return guided_;
+}
+
+void Gatherer::light_guided(const GatherTurn& turn, const SurfacePencils& pencils, int first, Keys keys) {
+    const std::optional<Viewers> viewers = keys == Keys::own ? std::optional<Viewers>({pencils, first, SPOT_RAYS}) : std::nullopt;
+    light(guided_.found.surfels, guided_.found.outgoing, seed_of(turn.seed + part_of(keys, first), lights_of_guides), viewers);
+}
+
+void Gatherer::emit_guided(const SurfacePencils& pencils, int first, const Buffer<float>& near_area) {
+    emit_hemispheres(kernels_, scene_, guided_.found.surfels, {pencils, first, SPOT_RAYS}, near_area, guided_.found.outgoing);
 }
 
 /// Adds what rays of these pencils towards bright spots find reflected.
 void Gatherer::gather_spots(const GatherSource& source, const GatherTurn& turn, SurfacePencils& pencils, int first, int count,
-                            const Reading& reading) {
-    guide(*source.spots, turn, pencils, first, count, Keys::own);
-    auto& [surfels, outgoing, contact] = guided_.found;
-    project_surface_pencils(kernels_, scene_, surfels, source.world, reading.irradiance, source.grid, {pencils, first, SPOT_RAYS},
-                            reading.nearness, outgoing, contact);
+                            const Reading& reading, const Buffer<float>& near_area) {
+    auto& [surfels, outgoing, contact] = guide(*source.spots, turn, pencils, first, count, Keys::own).found;
+    if (source.direct) light_guided(turn, pencils, first, Keys::own);
+    if (source.spots->shine()) emit_guided(pencils, first, near_area);
+    if (source.world.count > 0)
+        project_surface_pencils(kernels_, scene_, surfels, source.world, reading.irradiance, source.grid, {pencils, first, SPOT_RAYS},
+                                reading.nearness, outgoing, contact);
     sum_guides(kernels_, outgoing, surfels.capacity, guided_.factors, first, count, pencils.irradiance);
 }
 
@@ -127,10 +149,9 @@ void Gatherer::gather_contacts(const GatherSource& source, const GatherTurn& tur
     light(surfels, outgoing, seed_of(turn.seed, lights_of_contacts), of_contacts);
     project_surface_pencils(kernels_, scene_, surfels, source.world, reading.irradiance, source.grid, of_contacts, reading.nearness,
                             outgoing, unused);
-    if (source.spots) share_hemispheres(kernels_, pencils, 0, pencils.count, *source.spots, turn.points, outgoing, surfels.capacity);
-    emit_hemispheres(kernels_, scene_, surfels, pencils, 0, lights_.near_texel, outgoing);
+    emit_and_share(source, turn, of_contacts, pencils.count, lights_.near_texel, beyond_);
     sum_hemispheres(kernels_, outgoing, surfels.capacity, 0, 0, pencils.count, pencils.n, pencils.irradiance);
-    if (source.spots) gather_spots(source, turn, pencils, 0, pencils.count, reading);
+    if (source.spots) gather_spots(source, turn, pencils, 0, pencils.count, reading, lights_.near_texel);
     project_contacts(kernels_, seen_.surfels, contacts, pencils, seen_.outgoing);
 }
 

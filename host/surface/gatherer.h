@@ -61,7 +61,11 @@ public:
         Gathered found;
         Buffer<float> factors;
     };
-    const Guided& guide(const DeviceSpots& spots, const GatherTurn& turn, const SurfacePencils& pencils, int first, int count, Keys keys);
+    Guided& guide(const DeviceSpots& spots, const GatherTurn& turn, const SurfacePencils& pencils, int first, int count, Keys keys);
+    /// Adds to what the last of them found reflected light of the light samples,
+    void light_guided(const GatherTurn& turn, const SurfacePencils& pencils, int first, Keys keys);
+    /// and emission.
+    void emit_guided(const SurfacePencils& pencils, int first, const Buffer<float>& near_area);
 
 private:
     void gather_chunk(const GatherSource& source, const GatherTurn& turn, SurfacePencils& pencils, int first, int count);
@@ -71,8 +75,10 @@ private:
         const Buffer<float4>& irradiance;
         float nearness;
     };
+    void emit_and_share(const GatherSource& source, const GatherTurn& turn, const Viewers& viewers, int count,
+                        const Buffer<float>& near_area, Gathered& seen);
     void gather_spots(const GatherSource& source, const GatherTurn& turn, SurfacePencils& pencils, int first, int count,
-                      const Reading& reading);
+                      const Reading& reading, const Buffer<float>& near_area);
 
     Kernels& kernels_;
     const DeviceScene& scene_;

@@ -18,6 +18,8 @@ constexpr double least_light = 0.3;
 constexpr double most_seen = 0.03;
 /// and enough of it that it is no chance.
 constexpr std::size_t least_points = 8;
+/// What is emitted counts where it is this share of what spots send.
+constexpr float least_emission = 0.05F;
 /// Radius of a spot in terms of the root mean square distance of its points, and of their reach at least.
 constexpr float spread = 1.5F, least_radius = 0.25F;
 
@@ -93,17 +95,32 @@ DeviceSpots::DeviceSpots(const std::shared_ptr<Device>& device, const std::vecto
     weights = Buffer<float>(device, of_each, "weights of bright spots");
 }
 
+bool DeviceSpots::shine() const {
+    float all = 0, emission = 0;
+    for (const Spot& spot : found) {
+        all += spot.weight;
+        emission += spot.weight * spot.emission;
+    }
+    return emission > least_emission * all;
+}
+
 std::vector<Spot> find_spots(const Surfels& surfels, const Buffer<float>& radiance, float reach) {
     const auto count = static_cast<std::size_t>(surfels.count), capacity = static_cast<std::size_t>(surfels.capacity);
-    const std::vector<float> x = surfels.data.read_rows(0, capacity, SURFEL_Z + 1, count), rgb = radiance.read_rows(0, capacity, 3, count);
+    const std::vector<float> x = surfels.data.read_rows(0, capacity, SURFEL_Z + 1, count);
     std::vector<glm::vec3> points(count);
+    for (std::size_t i = 0; i < count; ++i) points[i] = {x[i], x[count + i], x[2 * count + i]};
+    return find_spots(points, light_of(surfels, radiance), reach);
+}
+
+std::vector<float> light_of(const Surfels& surfels, const Buffer<float>& radiance) {
+    const auto count = static_cast<std::size_t>(surfels.count);
+    const std::vector<float> rgb = radiance.read_rows(0, static_cast<std::size_t>(surfels.capacity), 3, count);
     std::vector<float> light(count);
     for (std::size_t i = 0; i < count; ++i) {
-        points[i] = {x[i], x[count + i], x[2 * count + i]};
         const float sum = rgb[i] + rgb[count + i] + rgb[2 * count + i];
         light[i] = std::isfinite(sum) ? std::max(sum, 0.0F) : 0.0F;
     }
-    return find_spots(points, light, reach);
+    return light;
 }
 
 }  // namespace pencil

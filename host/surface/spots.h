@@ -14,9 +14,10 @@
 namespace pencil {
 
 struct Spot {
-    glm::vec3 centre;  // [scene units]
-    float radius;      // [scene units]
-    float weight;      // its share of all that is reflected, about
+    glm::vec3 centre;    // [scene units]
+    float radius;        // [scene units]
+    float weight;        // its share of all that is reflected, about
+    float emission = 0;  // the share of that which is emitted instead, where it is a portal (portals.h)
 };
 
 /// At most SPOTS_MOST of them, none if rays in all directions find the light well enough. `points` were met by such rays, each sends so much
@@ -30,11 +31,17 @@ struct DeviceSpots {
     /// Arguments `spots, weights, spot_count` of kernels.
     auto list() const { return std::tuple<const Buffer<float4>&, const Buffer<float>&, int>(spheres, weights, count); }
 
+    /// True if they are worth their rays for what is emitted, too.
+    bool shine() const;
+
     int count = 0;
     std::vector<Spot> found;
     Buffer<float4> spheres;
     Buffer<float> weights;
 };
+
+/// What each of the surfels sends of `radiance` [3][capacity], rgb together; 0 where that is no number.
+std::vector<float> light_of(const Surfels& surfels, const Buffer<float>& radiance);
 
 /// Spots among surfels that send `radiance` [3][capacity].
 std::vector<Spot> find_spots(const Surfels& surfels, const Buffer<float>& radiance, float reach);

@@ -12,6 +12,7 @@
 #include "surface/follow_surfels.h"
 #include "surface/krylov.h"
 #include "surface/near_lights.h"
+#include "surface/portals.h"
 #include "surface/sample_lights.h"
 #include "surface/share_hemispheres.h"
 #include "surface/sum_guides.h"
@@ -35,6 +36,8 @@ constexpr int least_iterations = 3;
 constexpr float spot_reach = 0.4F;
 /// What a light lights as far away from it as this share of the distance from which things are seen may be too small for texels.
 constexpr float near_reach = 0.25F;
+/// The widest portal, in the same terms.
+constexpr float portal_reach = 0.4F;
 /// The world's bounces stop at this share of the tolerance of the image.
 constexpr double tolerance_share = 0.1;
 
@@ -77,12 +80,11 @@ void SurfaceSolver::solve(int map, int orders, double tolerance, std::uint64_t s
     limited_ = orders >= 0;
     direct_ = !limited_ || orders >= 2;
     contacts_ = !limited_ || orders >= 3;
-    if (!direct_ || world_.pencils().count == 0) return inform_team();  // film pencils see no reflections
     seed_ = static_cast<uint>(hash64(seed) >> 32);
+    if (!looked_) clock_.run("bright spots", [&] { adopt(near_ = spots_ahead()); });
+    if (!direct_ || world_.pencils().count == 0) return inform_team();  // film pencils see no reflections
     clock_.run("world pencils", [&] { world_.gather(map, seed); });
     clock_.run("world bounces", [&] {
-        // Lights look about by rays of their own, so that what they find serves the first gather, too.
-        if (!looked_) adopt(near_ = spots_near_lights());
         iterate(orders, tolerance);
         if (!looked_) look_for_spots();  // so few orders that the world set needs no light of the samples
     });
@@ -100,24 +102,26 @@ Buffer<float> SurfaceSolver::radiance(const Surfels& chains) {
     Buffer<float> radiance = surfel_rgb(kernels_.device(), chains.capacity, "radiance of chains");
     emit_chains(kernels_, scene_, chains, radiance);
     if (direct_) Gatherer(kernels_, scene_, lights_, chain_draws, 0).light(chains, radiance, next_seed() >> 32);
-    if (const SurfacePencils& world = world_.pencils(); world.count > 0) {
-        Buffer<unsigned char> unused(kernels_.device(), static_cast<std::size_t>(chains.capacity), "no contacts");
-        project_surface_pencils(kernels_, scene_, chains, world, world.irradiance, world_.grid(), {world, 0}, 0, radiance, unused);
-    }
+    add_world(chains, {world_.pencils(), 0}, radiance);
     return radiance;
+}
+
+/// Adds what surfels reflect of the world set's irradiance.
+void SurfaceSolver::add_world(const Surfels& surfels, const Viewers& viewers, Buffer<float>& radiance) {
+    const SurfacePencils& world = world_.pencils();
+    if (world.count == 0) return;
+    Buffer<unsigned char> unused(kernels_.device(), static_cast<std::size_t>(surfels.capacity), "no contacts");
+    project_surface_pencils(kernels_, scene_, surfels, world, world.irradiance, world_.grid(), viewers, 0, radiance, unused);
 }
 
 void SurfaceSolver::light_field(Surfels& seen, const Viewers& viewers, std::uint64_t seed, Buffer<float>& radiance) {
     gatherer_.follow(seen, hash64(seed + 1) >> 32, viewers);
     gatherer_.light(seen, radiance, hash64(seed + 2) >> 32, viewers);
-    if (const SurfacePencils& world = world_.pencils(); world.count > 0) {
-        Buffer<unsigned char> unused(kernels_.device(), static_cast<std::size_t>(seen.capacity), "no contacts");
-        project_surface_pencils(kernels_, scene_, seen, world, world.irradiance, world_.grid(), viewers, 0, radiance, unused);
-    }
+    add_world(seen, viewers, radiance);
     if (!kernels_.features().lobes) return;
     Buffer<float> not_seen(kernels_.device(), lights_.near_texel.size(), "emission that is not seen without lobes");
     not_seen.fill_zero();
-    emit_hemispheres(kernels_, scene_, seen, viewers.pencils, viewers.first, not_seen, radiance);
+    emit_hemispheres(kernels_, scene_, seen, viewers, not_seen, radiance);
 }
 
 void SurfaceSolver::gather(SurfacePencils& pencils, int first, int count, const TexelPoints& points, Reach reach) {
@@ -144,7 +148,7 @@ void SurfaceSolver::inform_team() {
     team_.take_world(solved);
 }
 
-bool SurfaceSolver::has_spots() const { return direct_ && spots_.count > 0; }
+bool SurfaceSolver::has_spots() const { return spots_.count > 0 && (direct_ || spots_.shine()); }
 
 /// Bright spots among what the world set sees, where no bounce has looked for them.
 void SurfaceSolver::look_for_spots() {
@@ -176,9 +180,31 @@ std::vector<Spot> SurfaceSolver::spots_among(const Buffer<float>& outgoing) {
     return spots;
 }
 
+/// Spots that are found before the world set gathers, by other rays than its own, so that they serve the first gather, too.
+std::vector<Spot> SurfaceSolver::spots_ahead() {
+    std::vector<Spot> spots = spots_near_lights();
+    for (const Spot& portal : portals())
+        if (std::none_of(spots.begin(), spots.end(), [&](const Spot& s) { return glm::distance(s.centre, portal.centre) < s.radius; }))
+            spots.push_back(portal);
+    return spots;
+}
+
+/// Among what pencils see from their centres.
+std::vector<Spot> SurfaceSolver::portals() {
+    const Surfels& seen = world_.seen_from_centres();
+    if (seen.count == 0) return {};
+    const SurfacePencils centres = world_.centres();
+    Buffer<float> radiance = surfel_rgb(kernels_.device(), seen.capacity, "light to centres");
+    emit_hemispheres(kernels_, scene_, seen, {centres, 0}, lights_.near_texel, radiance);
+    const std::vector<float> emission = light_of(seen, radiance);
+    if (direct_) gatherer_.light(seen, radiance, seed_);
+    return find_portals(light_rays(seen, centres, kernels_.features().outgoing(), emission, light_of(seen, radiance)),
+                        portal_reach * world_.seen_distance());
+}
+
 /// Where lights stand too close before surfaces for texels to find what they light.
 std::vector<Spot> SurfaceSolver::spots_near_lights() {
-    if (lights_.small.empty()) return {};
+    if (!direct_ || lights_.small.empty()) return {};
     const SurfacePencils probes = probes_of(kernels_.device(), lights_.small);
     Gathered met;
     gatherer_.reserve(met, probes.count * probes.texels());
@@ -188,29 +214,29 @@ std::vector<Spot> SurfaceSolver::spots_near_lights() {
 }
 
 /// Irradiance of all pencils of the world set from emitters near them, or from reflected light of the light samples.
-void SurfaceSolver::sum_light(bool emission, bool direct, Buffer<float4>& irradiance) {
+void SurfaceSolver::sum_light(Light light, Buffer<float4>& irradiance) {
     const SurfacePencils& pencils = world_.pencils();
     Buffer<float> outgoing = surfel_rgb(kernels_.device(), world_.surfels().capacity, "radiance to the world set");
-    if (emission) emit_hemispheres(kernels_, scene_, world_.surfels(), world_.starts(), 0, lights_.near_texel, outgoing);
-    // Texels in which spots are found are not to count less where they found them: only the next ones share them with rays.
-    const bool guided = direct && has_spots(), looks = direct && !looked_;
-    std::vector<Spot> found;
-    if (direct) {
+    if (light == Light::emission)
+        emit_hemispheres(kernels_, scene_, world_.surfels(), {world_.starts(), 0}, lights_.near_texel, outgoing);
+    else
         gatherer_.light(world_.surfels(), outgoing, seed_);
-        if (looks) found = spots_among(outgoing);
-        if (guided)
-            share_hemispheres(kernels_, world_.starts(), 0, world_.starts().count, spots_, world_.points(), outgoing,
-                              world_.surfels().capacity, world_.map());
-    }
+    // Texels in which spots are found are not to count less where they found them: only the next ones share them with rays.
+    const bool guided = light == Light::emission ? spots_.shine() : spots_.count > 0, looks = light == Light::direct && !looked_;
+    std::vector<Spot> found;
+    if (looks) found = spots_among(outgoing);
+    if (guided)
+        share_hemispheres(kernels_, world_.starts(), 0, world_.starts().count, spots_, world_.points(), outgoing, world_.surfels().capacity,
+                          world_.map());
     sum_hemispheres(kernels_, outgoing, world_.surfels().capacity, 0, 0, pencils.count, world_.map(), irradiance);
-    if (guided) sum_spots(irradiance);
+    if (guided) sum_spots(light, irradiance);
     if (!looks) return;
     looked_ = true;
     adopt(found);
 }
 
 /// Adds what the world set sees of bright spots: rays from where its texels look, whose mean is a pencil's.
-void SurfaceSolver::sum_spots(Buffer<float4>& irradiance) {
+void SurfaceSolver::sum_spots(Light light, Buffer<float4>& irradiance) {
     const SurfacePencils& starts = world_.starts();
     Buffer<float4> of_starts(kernels_.device(), static_cast<std::size_t>(starts.count), "light of bright spots");
     of_starts.fill_zero();
@@ -218,7 +244,12 @@ void SurfaceSolver::sum_spots(Buffer<float4>& irradiance) {
     const std::uint64_t seed = next_seed();
     for (int at = 0; at < starts.count; at += chunk) {
         const int part = std::min(chunk, starts.count - at);
-        const Gatherer::Guided& guided = gatherer_.guide(spots_, {world_.points(), Reach::own, seed}, starts, at, part, Keys::shared);
+        const GatherTurn turn{world_.points(), Reach::own, seed};
+        const Gatherer::Guided& guided = gatherer_.guide(spots_, turn, starts, at, part, Keys::shared);
+        if (light == Light::emission)
+            gatherer_.emit_guided(starts, at, lights_.near_texel);
+        else
+            gatherer_.light_guided(turn, starts, at, Keys::shared);
         sum_guides(kernels_, guided.found.outgoing, guided.found.surfels.capacity, guided.factors, at, part, of_starts);
     }
     const std::vector<float4> guided = of_starts.read();
@@ -236,7 +267,7 @@ void SurfaceSolver::iterate(int orders, double tolerance) {
     if (count == 0) return;
     if (limited_) shorter_ = Buffer<float4>(kernels_.device(), count, "irradiance of fewer bounces");
     Buffer<float4> source(kernels_.device(), count, "irradiance of a bounce"), target(kernels_.device(), count, "irradiance of a bounce");
-    sum_light(true, false, source);
+    sum_light(Light::emission, source);
     world.irradiance.copy_from(source, 0, 0, count);
     BounceSeries series;
     series.add(power(source));
@@ -246,7 +277,7 @@ void SurfaceSolver::iterate(int orders, double tolerance) {
     for (int k = 1; k <= most && !ended; ++k) {
         target.fill_zero();
         if (limited_) shorter_.copy_from(world.irradiance, 0, 0, count);
-        if (k == 1 && lights_.samples.maps.count > 0) sum_light(false, true, target);
+        if (k == 1 && lights_.samples.maps.count > 0) sum_light(Light::direct, target);
         transport_irradiance(kernels_, world_.surfels(), world_.links(), world.count, world_.map(), source, target, world.irradiance);
         std::swap(source, target);
         // The series begins where all light has joined it.

@@ -77,7 +77,9 @@ public:
     int spots() const { return spots_.count; }
 
 private:
-    void sum_light(bool emission, bool direct, Buffer<float4>& irradiance);
+    /// Of emitters near pencils or carried by maps; of light samples, reflected.
+    enum class Light { emission, direct };
+    void sum_light(Light light, Buffer<float4>& irradiance);
     std::uint64_t next_seed();
     void iterate(int orders, double tolerance);
     void close_series(const BounceSeries& series, const Buffer<float4>& last);
@@ -87,8 +89,11 @@ private:
     void look_for_spots();
     std::vector<Spot> spots_among(const Buffer<float>& outgoing);
     void adopt(const std::vector<Spot>& found);
+    std::vector<Spot> spots_ahead();
+    std::vector<Spot> portals();
+    void add_world(const Surfels& surfels, const Viewers& viewers, Buffer<float>& radiance);
     std::vector<Spot> spots_near_lights();
-    void sum_spots(Buffer<float4>& irradiance);
+    void sum_spots(Light light, Buffer<float4>& irradiance);
     bool has_spots() const;
 
     Kernels& kernels_;

@@ -115,6 +115,13 @@ PointLinks WorldSet::link_seen() {
 /// The set's, without the seeds.
 std::vector<SurfacePencil> WorldSet::pencils_on_host() const { return {seen_.pencils().begin() + seeds_, seen_.pencils().end()}; }
 
+SurfacePencils WorldSet::centres() const {
+    SurfacePencils all(kernels_.device(), static_cast<int>(seen_.pencils().size()), world_map);
+    all.data.write(seen_.pencils());
+    all.count = static_cast<int>(seen_.pencils().size());
+    return all;
+}
+
 double WorldSet::light_to_film() const {
     const std::vector<float>& read = shared_.read_by_film();
     const std::vector<float4> irradiance = pencils_.irradiance.read(0, read.size());

@@ -37,6 +37,10 @@ public:
     const SurfacePencils& pencils() const { return pencils_; }
     const DeviceGrid& grid() const { return grid_; }
 
+    /// What seeds and pencils see from their centres, by which pencils are placed, and who sees it.
+    const Surfels& seen_from_centres() const { return seen_surfels_; }
+    SurfacePencils centres() const;
+
     /// After gather: what the pencils' texels see, their number for each pencil, and which pencils light them.
     const Surfels& surfels() const { return surfels_; }
     int map() const { return map_; }

@@ -15,7 +15,9 @@ void bench_emit_hemispheres(benchmark::State& state) {
     std::vector<float> native_radiance(static_cast<std::size_t>(surfels.capacity) * 3);
     compare(
         state, {std::to_string(surfels.count) + " surfels", bench.texels(), 4.0 * bench.texels(), {"emission"}},
-        [&] { emit_hemispheres(bench.kernels, bench.scene, surfels, bench.world.pencils(), 0, near_area, radiance); },
+        [&] {
+            emit_hemispheres(bench.kernels, bench.scene, surfels, {bench.world.pencils(), 0}, near_area, radiance);
+        },
         [&] {
             native::emit_hemispheres(workbench().view(), bench.surfels(), bench.pencils.data(), bench.world.pencils().n, near.data(),
                                      {native_radiance.data(), bench.surfels().capacity});

@@ -39,7 +39,7 @@ TEST(EmitHemispheres, IsTheShareThatLightSamplesLeave) {
             const std::vector<SurfacePencil> pencils = random_pencils(7, first + count);
             const MadeSurfels surfels = seen_materials(random, count * texels, materials);
             Buffer<float> radiance = filled_rgb(surfels.capacity, start);
-            emit_hemispheres(kernels, on_scene, surfels.on_device(), on_device(pencils, n), first,
+            emit_hemispheres(kernels, on_scene, surfels.on_device(), {on_device(pencils, n), first},
                              Buffer<float>(device(), near_area, "near areas"), radiance);
             const std::vector<float> got = radiance.read();
             for (int i = 0; i < surfels.capacity; ++i) {
@@ -95,7 +95,7 @@ TEST(EmitHemispheres, WithLightSamplesIsTheWholeLitWall) {
         Surfels seen(device(), count * n * n, "seen");
         trace_hemispheres(kernels, on_scene, set, 0, count, {3}, seen);
         Buffer<float> radiance = filled_rgb(seen.capacity, 0);
-        emit_hemispheres(kernels, on_scene, seen, set, 0,
+        emit_hemispheres(kernels, on_scene, seen, {set, 0},
                          Buffer<float>(device(), std::vector<float>{static_cast<float>(area_over_pi)}, "near area"), radiance);
         Buffer<float4> near(device(), static_cast<std::size_t>(count), "irradiance");
         sum_hemispheres(kernels, radiance, seen.capacity, 0, 0, count, n, near);

@@ -74,15 +74,18 @@ TEST(TrustSpots, AreFoundWhereLightIsHidden) {
                            [](const std::string& line) { return line.find("bright spots: pencils send") == 0; });
     };
     EXPECT_TRUE(spots("uplight"));
+    EXPECT_TRUE(spots("tunnel")) << "comes in at the ends";
+    EXPECT_TRUE(spots("cove")) << "comes from a strip of the ceiling";
     EXPECT_TRUE(spots("wall-lamps"));
     EXPECT_FALSE(spots("contacts"));
     EXPECT_FALSE(spots("bright-room"));
 }
 
-/// Rays to spots take noise, not light: passes of many seeds have the mean of one long render: the first, whose world set finds its spots, and the
-/// first four.
-TEST(TrustSpots, TakeNoLight) {
-    const Scene scene = load({"uplight", {}, 0, 0});
+/// Rays to spots and portals take noise, not light: passes of many seeds have the mean of one long render: the first, whose world set finds its
+/// spots, and the first four.
+class TrustHidden : public testing::TestWithParam<const char*> {};
+TEST_P(TrustHidden, RaysToItTakeNoLight) {
+    const Scene scene = load({GetParam(), {}, 0, 0});
     RenderOptions options;
     options.target_error = 1e-3;
     const double expected = mean(layer(render_layers(scene, options), "").pixels);
@@ -99,6 +102,8 @@ TEST(TrustSpots, TakeNoLight) {
     EXPECT_NEAR(first / expected, 1.0, 0.05);
     EXPECT_NEAR(fourth / expected, 1.0, 0.02);
 }
+INSTANTIATE_TEST_SUITE_P(Scenes, TrustHidden, testing::Values("uplight", "tunnel"),
+                         [](const auto& tested) { return std::string(tested.param); });
 
 /// What a lamp lights on the ceiling just above it is known from the first pass on, whatever the seed: without rays of their own to it means of
 /// passes vary by a seventh.
