@@ -19,6 +19,17 @@ typedef struct FilmValues {
     int has_background;
 } FilmValues;
 
+/// Pixels about one, itself among them, of rows low.y to high.y and columns low.x to high.x.
+typedef struct FilmWindow {
+    int2 centre, low, high;
+    int width, reach;
+} FilmWindow;
+
+/// Number of a pixel's place among those about the centre, in tables of the filter.
+static inline int window_cell(const FilmWindow *w, int x, int y) {
+    return (y - w->centre.y + w->reach) * (2 * w->reach + 1) + x - w->centre.x + w->reach;
+}
+
 static inline float3 film_value(const FilmValues *f, int surfel) {
     global const float *v = f->values + surfel;
     return (float3)(v[0], v[f->capacity], v[2 * f->capacity]);
@@ -105,37 +116,66 @@ static inline float3 cell_step(const FilmValues *f, int pixel, global const floa
     return step;
 }
 
+/// Sum of light times the filter over the pixels of a window that show one thing alone; w: their number. norm: the filter's sum over all.
+static inline float4 whole_sum(const FilmWindow *window, global const float *totals, global const float4 *whole, float *norm) {
+    float4 sum = (float4)(0.0f);
+    *norm = 0.0f;
+    for (int y = window->low.y; y <= window->high.y; ++y)
+        for (int x = window->low.x; x <= window->high.x; ++x) {
+            float total = totals[window_cell(window, x, y)];
+            *norm += total;
+            sum += (float4)(total, total, total, 1.0f) * whole[y * window->width + x];
+        }
+    return sum;
+}
+
+/// The same over all pixels of a window, sample by sample where they show more.
+static inline float3 window_sum(const FilmValues *f, const FilmWindow *window, global const float *weights, global const float *totals) {
+    float3 sum = (float3)(0.0f);
+    for (int y = window->low.y; y <= window->high.y; ++y)
+        for (int x = window->low.x; x <= window->high.x; ++x) {
+            int cell = window_cell(window, x, y);
+            sum += cell_sum(f, y * window->width + x, weights + cell * f->sample_count, totals[cell]);
+        }
+    return sum;
+}
+
+/// What is to be added to it, since surfels lie at drawn samples.
+static inline float3 window_steps(const FilmValues *f, const FilmWindow *window, global const float *weights, global const uchar *drawn,
+                                  global const float *surfels) {
+    FilmKinds kinds;
+    kinds.used = 0;
+    for (int y = window->low.y; y <= window->high.y; ++y)
+        for (int x = window->low.x; x <= window->high.x; ++x) add_kinds(f, y * window->width + x, surfels, &kinds);
+    float3 steps = (float3)(0.0f);
+    for (int y = window->low.y; y <= window->high.y; ++y)
+        for (int x = window->low.x; x <= window->high.x; ++x) {
+            int cell = window_cell(window, x, y);
+            steps += cell_step(f, y * window->width + x, weights + cell * f->sample_count, drawn, surfels, &kinds);
+        }
+    return steps;
+}
+
 /// launch : 1-D, one work-item per pixel
-/// in     : values, fields first_field .. first_field + 2 of [field][capacity]; slots, counts, first_surfel; weights[(2 reach + 1)^2 *
-///          sample_count]: the filter at each sample of each neighbour, row by row; totals[(2 reach + 1)^2]: sums over the samples of a
-///          neighbour; background[pixel * 3 + channel], if has_background: what samples show that show no surface; if at_drawn, surfels, as many,
-///          and drawn[surfel]: the sample that it lies at
+/// in     : values, fields first_field .. first_field + 2 of [field][capacity]; whole[pixel], of whole_pixels; slots, counts, first_surfel;
+///          weights[(2 reach + 1)^2 * sample_count]: the filter at each sample of each neighbour, row by row; totals[(2 reach + 1)^2]: sums
+///          over the samples of a neighbour; background[pixel * 3 + channel], if has_background: what samples show that show no surface; if
+///          at_drawn, surfels, as many, and drawn[surfel]: the sample that it lies at
 /// out    : image[pixel * 3 + channel]
-kernel void resolve_film(global const float *values, int first_field, int capacity, global const uchar *slots, global const uchar *counts,
-                         global const int *first_surfel, global const float *weights, global const float *totals, int reach,
-                         int sample_count, int width, int height, global const float *background, int has_background,
-                         global const float *surfels, global const uchar *drawn, int at_drawn, global float *image) {
+kernel void resolve_film(global const float *values, int first_field, int capacity, global const float4 *whole, global const uchar *slots,
+                         global const uchar *counts, global const int *first_surfel, global const float *weights,
+                         global const float *totals, int reach, int sample_count, int width, int height, global const float *background,
+                         int has_background, global const float *surfels, global const uchar *drawn, int at_drawn, global float *image) {
     int pixel = get_global_id(0);
     if (pixel >= width * height) return;
     FilmValues film = {
         values + (size_t)first_field * capacity, capacity, slots, counts, first_surfel, sample_count, background, has_background};
     int2 centre = (int2)(pixel % width, pixel / width), low = max(centre - reach, 0), high = min(centre + reach, (int2)(width, height) - 1);
-    int side = 2 * reach + 1;
-    float3 sum = (float3)(0.0f), steps = (float3)(0.0f);
-    float norm = 0.0f;
-    FilmKinds kinds;
-    kinds.used = 0;
-    for (int y = low.y; y <= high.y; ++y)
-        for (int x = low.x; x <= high.x; ++x) {
-            int cell = (y - centre.y + reach) * side + x - centre.x + reach;
-            norm += totals[cell];
-            sum += cell_sum(&film, y * width + x, weights + cell * sample_count, totals[cell]);
-            if (at_drawn) add_kinds(&film, y * width + x, surfels, &kinds);
-        }
-    for (int y = low.y; at_drawn && y <= high.y; ++y)
-        for (int x = low.x; x <= high.x; ++x) {
-            int cell = (y - centre.y + reach) * side + x - centre.x + reach;
-            steps += cell_step(&film, y * width + x, weights + cell * sample_count, drawn, surfels, &kinds);
-        }
+    FilmWindow window = {centre, low, high, width, reach};
+    float norm;
+    float4 alone = whole_sum(&window, totals, whole, &norm);
+    bool is_whole = alone.w == (float)((high.x - low.x + 1) * (high.y - low.y + 1));
+    float3 sum = is_whole ? alone.xyz : window_sum(&film, &window, weights, totals), steps = (float3)(0.0f);
+    if (at_drawn) steps = window_steps(&film, &window, weights, drawn, surfels);
     vstore3(norm > 0.0f ? (sum + steps) / norm : (float3)(0.0f), pixel, image);
 }

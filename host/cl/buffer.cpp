@@ -82,7 +82,10 @@ void BufferStorage::fill_zero() {
     if (bytes_ == 0) return;
     cl_call([&] { return "clearing " + what_ + " (" + format_bytes(bytes_) + ") on " + device_->info().name; },
             [&] {
-                if (bytes_ % sizeof(cl_uint) == 0)
+                // PoCL stores one pattern after the other.
+                if (bytes_ % sizeof(cl_ulong16) == 0)
+                    device_->queue().enqueueFillBuffer(buffer_, cl_ulong16{}, 0, bytes_);
+                else if (bytes_ % sizeof(cl_uint) == 0)
                     device_->queue().enqueueFillBuffer(buffer_, cl_uint{0}, 0, bytes_);
                 else
                     device_->queue().enqueueFillBuffer(buffer_, cl_uchar{0}, 0, bytes_);

@@ -13,8 +13,8 @@ namespace {
 
 /// Strips are as high as this much memory for hits allows: enough rows to keep all units busy, little beside the rest.
 constexpr std::size_t strip_bytes = std::size_t{96} << 20;
-/// Surfels are numbered through square blocks of pixels, so that neighbouring surfels see neighbouring things.
-constexpr int numbered_block = 8;
+/// Surfels are numbered through square blocks of pixels, so that neighbouring surfels see neighbouring things, those of a thin film too.
+constexpr int numbered_block = 8 * THIN_STEP;
 /// Surfels per pixel that the estimate assumes, and rgb layers held at once.
 constexpr double surfels_per_pixel = 1.2;
 constexpr int layers_held = 4;
@@ -154,10 +154,15 @@ std::vector<float> Film::resolve(Kernels& kernels, const Buffer<float>& values, 
                                  bool at_drawn) const {
     const auto& device = kernels.device();
     Buffer<float> image(device, pixel_count(camera_) * 3, "resolved layer");
+    Buffer<float4> whole(device, pixel_count(camera_), "pixels of one thing");
     const Buffer<float> nothing(device, 1, "no background");
+    const auto behind = std::tuple<const Buffer<float>&, int>(background ? *background : nothing, background ? 1 : 0);
+    kernels.get("whole_pixels")
+        .args(values, first_field, surfels_.capacity, counts_, first_surfel_, static_cast<int>(pixel_count(camera_)), behind, whole)
+        .run(pixel_count(camera_), "resolve film");
     kernels.get("resolve_film")
-        .args(values, first_field, surfels_.capacity, pixels(), filter(), camera_.width, camera_.height, background ? *background : nothing,
-              background ? 1 : 0, surfels_.data, drawn_, at_drawn ? 1 : 0, image)
+        .args(values, first_field, surfels_.capacity, whole, pixels(), filter(), camera_.width, camera_.height, behind, surfels_.data,
+              drawn_, at_drawn ? 1 : 0, image)
         .run(pixel_count(camera_), "resolve film");
     return image.read();
 }

@@ -21,8 +21,8 @@ Features complete_features(const FlatScene& flat, const RenderOptions& options, 
 /// Those of every film, then the method's. Not the very first, which a render builds before another process could.
 std::vector<SureKernel> sure_kernels(const RenderContext& context) {
     const auto pixels = static_cast<std::size_t>(context.flat.camera.width) * static_cast<std::size_t>(context.flat.camera.height);
-    std::vector<SureKernel> sure{
-        {"classify_film", pixels}, {"emit_surfels", pixels}, {"resolve_film", pixels}, {"film_surfels", pixels}, {"light_surfels"}};
+    std::vector<SureKernel> sure{{"classify_film", pixels}, {"emit_surfels", pixels}, {"whole_pixels", pixels},
+                                 {"resolve_film", pixels},  {"film_surfels", pixels}, {"light_surfels"}};
     sure.insert(sure.end(), context.needs.kernels.begin(), context.needs.kernels.end());
     return sure;
 }

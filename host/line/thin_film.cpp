@@ -1,5 +1,7 @@
 #include "line/thin_film.h"
 
+#include "shared/film.h"
+
 namespace pencil {
 
 namespace {
@@ -10,7 +12,10 @@ auto pixels(const Film& film) {
                                                                                   film.height());
 }
 
-std::size_t pixel_count(const Film& film) { return static_cast<std::size_t>(film.width()) * static_cast<std::size_t>(film.height()); }
+std::size_t cell_count(const Film& film) {
+    const auto steps = [](int pixels) { return static_cast<std::size_t>((pixels + THIN_STEP - 1) / THIN_STEP); };
+    return steps(film.width()) * steps(film.height());
+}
 
 }  // namespace
 
@@ -19,7 +24,7 @@ ThinFilm::ThinFilm(Kernels& kernels, const Film& film) : film_(film) {
     const Surfels& all = film.surfels();
     const auto count = static_cast<std::size_t>(all.count);
     Buffer<unsigned char> own(device, static_cast<std::size_t>(all.capacity), "surfels with light of their own");
-    kernels.get("thin_film").args(all.store(), pixels(film), own).run(pixel_count(film), "thin film");
+    kernels.get("thin_film").args(all.store(), pixels(film), own).run(cell_count(film), "thin film");
     const std::vector<unsigned char> owns = own.read(0, count);
     std::vector<int> list, place(count, -1);
     for (std::size_t i = 0; i < count; ++i) {
@@ -37,7 +42,7 @@ ThinFilm::ThinFilm(Kernels& kernels, const Film& film) : film_(film) {
 void ThinFilm::spread(Kernels& kernels, const Buffer<float>& light, Buffer<float>& outgoing) const {
     kernels.get("spread_light")
         .args(film_.surfels().store(), pixels(film_), place_, light, picked_.capacity, outgoing)
-        .run(pixel_count(film_), "thin film");
+        .run(cell_count(film_), "thin film");
 }
 
 }  // namespace pencil

@@ -5,8 +5,6 @@
 #include "shared/film.h"
 #include "shared/surfel.h"
 
-/// Of pixels that have light of their own, in rows and in columns.
-#define THIN_STEP 3
 /// Surfels on one surface: in one plane, or with nearly the same normal and so little out of each other's plane, in terms of their distance.
 #define THIN_NORMAL 0.97f
 #define THIN_SLOPE 0.1f
@@ -19,13 +17,23 @@ typedef struct ThinFilm {
     int width, height;
 } ThinFilm;
 
-static inline bool is_thin_pixel(int2 pixel) { return pixel.x % THIN_STEP == 0 && pixel.y % THIN_STEP == 0; }
+/// The first pixel of cell number `cell`, which is the thin one: of THIN_STEP x THIN_STEP pixels.
+static inline int2 thin_pixel(int cell, int width) {
+    int cells = (width + THIN_STEP - 1) / THIN_STEP;
+    return THIN_STEP * (int2)(cell % cells, cell / cells);
+}
+
+static inline bool in_one_plane(global const float *surfels, size_t capacity, int i, int j) {
+    return SURFEL_CONST_INT(surfels, SURFEL_PLANE * capacity + i) == SURFEL_CONST_INT(surfels, SURFEL_PLANE * capacity + j);
+}
+
+static inline bool on_one_side(global const float *surfels, size_t capacity, int i, int j) {
+    return SURFEL_CONST_INT(surfels, SURFEL_MATERIAL * capacity + i) >> 31 ==
+           SURFEL_CONST_INT(surfels, SURFEL_MATERIAL * capacity + j) >> 31;
+}
 
 static inline bool on_one_surface(global const float *surfels, size_t capacity, int i, int j) {
-    int plane = SURFEL_CONST_INT(surfels, SURFEL_PLANE * capacity + i);
-    if (plane == SURFEL_CONST_INT(surfels, SURFEL_PLANE * capacity + j))
-        return SURFEL_CONST_INT(surfels, SURFEL_MATERIAL * capacity + i) >> 31 ==
-               SURFEL_CONST_INT(surfels, SURFEL_MATERIAL * capacity + j) >> 31;
+    if (in_one_plane(surfels, capacity, i, j)) return on_one_side(surfels, capacity, i, j);
     float3 n = surfel_vector(surfels, capacity, i, SURFEL_NX), m = surfel_vector(surfels, capacity, j, SURFEL_NX);
     float3 apart = surfel_vector(surfels, capacity, i, SURFEL_X) - surfel_vector(surfels, capacity, j, SURFEL_X);
     return dot(n, m) > THIN_NORMAL && fmax(fabs(dot(n, apart)), fabs(dot(m, apart))) < THIN_SLOPE * length(apart);
@@ -65,4 +73,16 @@ static inline int thin_neighbours(const ThinFilm *film, global const float *surf
         weights[count++] = weight;
     }
     return count;
+}
+
+/// True if the four thin pixels about a cell, and all between them, show one side of one plane and nothing else: all have all neighbours then.
+static inline bool is_even_cell(const ThinFilm *film, global const float *surfels, size_t capacity, int2 corner) {
+    if (corner.x + THIN_STEP >= film->width || corner.y + THIN_STEP >= film->height) return false;
+    int first = corner.y * film->width + corner.x, i = film->first_surfel[first];
+    for (int y = 0; y <= THIN_STEP; ++y)
+        for (int x = 0; x <= THIN_STEP; ++x) {
+            int at = first + y * film->width + x, j = film->first_surfel[at];
+            if (film->counts[at] != 1 || !in_one_plane(surfels, capacity, i, j) || !on_one_side(surfels, capacity, i, j)) return false;
+        }
+    return true;
 }

@@ -5,3 +5,4 @@
 #include "emit_surfels.cl"
 #include "rasterize_film.cl"
 #include "resolve_film.cl"
+#include "whole_pixels.cl"

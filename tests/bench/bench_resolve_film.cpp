@@ -48,6 +48,7 @@ void bench_resolve_film(benchmark::State& state) {
         counts(device(), pixels.counts, "counts");
     const Buffer<int> first(device(), pixels.first_surfel, "first surfels");
     Buffer<float> image(device(), pixels.counts.size() * 3, "image");
+    Buffer<float4> whole(device(), pixels.counts.size(), "pixels of one thing");
     const Buffer<float> nothing(device(), 1, "no background");
     std::vector<float> native_image(image.size());
     const native::FilmView view{pixels.slots.data(),
@@ -68,9 +69,12 @@ void bench_resolve_film(benchmark::State& state) {
          count * (support * (1 + 4 + 12) + 12),
          {"resolve bench film"}},
         [&] {
+            bench.kernels.get("whole_pixels")
+                .args(device_values, 0, capacity, counts, first, side * side, nothing, 0, whole)
+                .run(pixels.counts.size(), "resolve bench film");
             bench.kernels.get("resolve_film")
-                .args(device_values, 0, capacity, slots, counts, first, weights, totals, table.reach, samples, side, side, nothing, 0,
-                      device_values, drawn, 0, image)
+                .args(device_values, 0, capacity, whole, slots, counts, first, weights, totals, table.reach, samples, side, side, nothing,
+                      0, device_values, drawn, 0, image)
                 .run(pixels.counts.size(), "resolve bench film");
         },
         [&] { native::resolve_film(view, values.data(), static_cast<std::size_t>(capacity), native_image.data()); },

@@ -27,15 +27,23 @@ const std::vector<FilterCase> cases{
     {ReconstructionFilter::Kind::lanczos, 3.0, [](double x) { return ref::lanczos_filter(x); }},
 };
 
-/// Random pixels: up to four surfels, dealt out to the samples, some samples empty.
+/// Pixels: the first `simple` show nothing or, the other half of those, one surfel each; the others up to four surfels, dealt out to the samples, with
+/// some samples empty.
 struct Pixels {
     std::vector<unsigned char> slots, counts;
     std::vector<int> first;
     int surfels = 0;
 };
-Pixels random_pixels(Random& random, int count, int samples) {
+Pixels random_pixels(Random& random, int count, int samples, int simple = 0) {
     Pixels out;
-    for (int p = 0; p < count; ++p) {
+    for (int p = 0; p < simple; ++p) {
+        const bool nothing = 2 * p < simple;
+        out.slots.insert(out.slots.end(), static_cast<std::size_t>(samples), static_cast<unsigned char>(nothing ? NO_SURFEL : 0));
+        out.counts.push_back(static_cast<unsigned char>(nothing ? FILM_HAS_EMPTY : 1));
+        out.first.push_back(out.surfels);
+        out.surfels += nothing ? 0 : 1;
+    }
+    for (int p = simple; p < count; ++p) {
         const int kind = random.index(4), own = kind == 0 ? 1 : 1 + random.index(std::min(samples, 4));
         bool empty = false;
         for (int s = 0; s < samples; ++s) {
@@ -50,11 +58,23 @@ Pixels random_pixels(Random& random, int count, int samples) {
     return out;
 }
 
+/// What whole_pixels makes of values from first_field on.
+Buffer<float4> whole_pixels(Kernels& kernels, const Buffer<float>& values, int first_field, int capacity, const Pixels& pixels,
+                            const Buffer<float>& background, bool has_background) {
+    Buffer<float4> whole(device(), pixels.counts.size(), "pixels of one thing");
+    kernels.get("whole_pixels")
+        .args(values, first_field, capacity, Buffer<unsigned char>(device(), pixels.counts, "counts"),
+              Buffer<int>(device(), pixels.first, "first"), static_cast<int>(pixels.counts.size()), background, has_background ? 1 : 0,
+              whole)
+        .run(pixels.counts.size(), "whole pixels");
+    return whole;
+}
+
 /// `background`: samples that show nothing show something behind it.
 void check(const FilterCase& c, int width, int height, int samples, bool constant, bool background = false) {
     SCOPED_TRACE("filter " + std::to_string(static_cast<int>(c.kind)) + ", " + std::to_string(width) + " x " + std::to_string(height));
     Random random(130);
-    const Pixels pixels = random_pixels(random, width * height, samples);
+    const Pixels pixels = random_pixels(random, width * height, samples, width * height * 2 / 3);
     const int capacity = surfel_capacity(pixels.surfels), first_field = 1;
     std::vector<float> values(static_cast<std::size_t>(capacity) * 4);
     for (float& value : values) value = constant ? 1.0F : static_cast<float>(random.uniform());
@@ -67,13 +87,13 @@ void check(const FilterCase& c, int width, int height, int samples, bool constan
     const FilterTable table = tabulate_filter(filter, offsets);
     Kernels kernels = make_kernels(false, Weights::dpdf, 0, samples);
     Buffer<float> image(device(), static_cast<std::size_t>(width * height) * 3, "image");
-    const Buffer<float> nothing(device(), 1, "surfels");
+    const Buffer<float> nothing(device(), 1, "surfels"), light(device(), values, "values"), background_of(device(), behind, "background");
     kernels.get("resolve_film")
-        .args(Buffer<float>(device(), values, "values"), first_field, capacity, Buffer<unsigned char>(device(), pixels.slots, "slots"),
-              Buffer<unsigned char>(device(), pixels.counts, "counts"), Buffer<int>(device(), pixels.first, "first"),
-              Buffer<float>(device(), table.weights, "weights"), Buffer<float>(device(), table.totals, "totals"), table.reach, samples,
-              width, height, Buffer<float>(device(), behind, "background"), background ? 1 : 0, nothing,
-              Buffer<unsigned char>(device(), 1, "drawn"), 0, image)
+        .args(light, first_field, capacity, whole_pixels(kernels, light, first_field, capacity, pixels, background_of, background),
+              Buffer<unsigned char>(device(), pixels.slots, "slots"), Buffer<unsigned char>(device(), pixels.counts, "counts"),
+              Buffer<int>(device(), pixels.first, "first"), Buffer<float>(device(), table.weights, "weights"),
+              Buffer<float>(device(), table.totals, "totals"), table.reach, samples, width, height, background_of, background ? 1 : 0,
+              nothing, Buffer<unsigned char>(device(), 1, "drawn"), 0, image)
         .run(static_cast<std::size_t>(width * height), "resolve film");
     const std::vector<float> got = image.read();
     for (int p = 0; p < width * height; ++p) {
@@ -108,6 +128,7 @@ TEST(ResolveFilm, EveryFilterAndSize) {
         check(c, 19, 13, 16, false);
         check(c, 9, 9, 5, true);
         check(c, 7, 5, 4, false, true);
+        check(c, 19, 13, 4, false, true);
     }
 }
 
@@ -178,10 +199,11 @@ TEST(ResolveFilm, DrawnSamplesAreTheFilteredImageInTheMean) {
             std::vector<float> values(3 * drawn_capacity, 0.0F);
             std::vector<unsigned char> drawn(drawn_capacity, 0);
             draw(random, pixels, values, drawn);
+            const Buffer<float> light(device(), values, "values");
             kernels.get("resolve_film")
-                .args(Buffer<float>(device(), values, "values"), 0, drawn_capacity, slots, counts, first, weights, totals, table.reach,
-                      drawn_samples, drawn_width, drawn_height, background, 1, surfels_of, Buffer<unsigned char>(device(), drawn, "drawn"),
-                      1, image)
+                .args(light, 0, drawn_capacity, whole_pixels(kernels, light, 0, drawn_capacity, pixels, background, true), slots, counts,
+                      first, weights, totals, table.reach, drawn_samples, drawn_width, drawn_height, background, 1, surfels_of,
+                      Buffer<unsigned char>(device(), drawn, "drawn"), 1, image)
                 .run(static_cast<std::size_t>(size), "resolve film");
             const std::vector<float> got = image.read();
             for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += static_cast<double>(got[i]) / images;
