@@ -148,6 +148,12 @@ def changed_kernels(edits, folder):
     return kernels
 
 
+def time_of_sets(scene, sets, folder, rounds=3):
+    """Least seconds of a render that makes so many sets."""
+    flags = f"--method hybrid --bounces {sets + 1}"
+    return min(line_methods.time_of(scene, flags, 0, folder) for _ in range(rounds))
+
+
 def print_termination(scene, folder, trials=400):
     """Squared error that probabilistic termination adds: from an order on a bounce is made by the chance of its ratio q and counts 1 / q times."""
     image = os.path.join(folder, "orders.exr")
@@ -159,7 +165,7 @@ def print_termination(scene, folder, trials=400):
     layers = [sum(w * pixels[..., names.index(f"{layer}.{c}")] for w, c in zip(luminance, "RGB")) for layer in bounces]
     whole = sum(w * pixels[..., names.index(c)] for w, c in zip(luminance, "RGB"))
     random = numpy.random.default_rng(1)
-    print("\n| terminated from order | relMSE that it adds | sets made |\n|---|---|---|")
+    print("\n| terminated from order | relMSE that it adds | sets made | seconds |\n|---|---|---|---|")
     for first in (2, 3, 4):
         errors, made = [], []
         for _ in range(trials):
@@ -171,7 +177,9 @@ def print_termination(scene, folder, trials=400):
                 count += weight > 0
             errors.append(numpy.mean(lost ** 2 / (whole ** 2 + 1e-2 * whole.mean() ** 2)))
             made.append(count)
-        print(f"| {first + 1} | {numpy.mean(errors):.2g} | {numpy.mean(made):.1f} of {len(layers)} |")
+        seconds = time_of_sets(scene, round(numpy.mean(made)), folder)
+        print(f"| {first + 1} | {numpy.mean(errors):.2g} | {numpy.mean(made):.1f} of {len(layers)} | {seconds:.1f} |")
+    print(f"| never | | {len(layers)} of {len(layers)} | {time_of_sets(scene, len(layers), folder):.1f} |")
 
 
 def main():

@@ -68,8 +68,8 @@ def error_curve(name, curves):
     figure, axis = plt.subplots(figsize=(6, 3.6), layout="constrained")
     for label, values in curves.items():
         sizes = sorted(values)
-        means = [numpy.mean(values[n]) for n in sizes]
-        axis.plot(sizes, means, "o-", label=label)
+        medians = [numpy.median(values[n]) for n in sizes]
+        axis.plot(sizes, medians, "o-", label=label)
         axis.fill_between(sizes, [min(values[n]) for n in sizes], [max(values[n]) for n in sizes], alpha=0.2)
     axis.set_xscale("log", base=2)
     axis.set_xticks(sizes, [str(n) for n in sizes])

@@ -39,41 +39,68 @@ def seconds(value):
     return f"{value:.3g}" if value < 0.1 else f"{value:.2f}"
 
 
-def bounce_components(options):
-    """Figure 6.3: sets of 100, 50 and 25 pencils carry the second, third and fourth light bounce."""
-    arguments = ["--pencils", 100, "--decay", 0.5, "--bounces", 4]
-    image, stats = runs.render("components", *arguments, device=options.device)
-    sets = [b["pencils"] for b in stats["bounces"]]
-    if sets != [0, 100, 50, 25]:
-        raise SystemExit(f"thesis_results: figure 6.3 needs sets of 100, 50 and 25 pencils, not {sets[1:]}")
-    panels = []
-    rows = []
+def spread(values, digits=2):
+    """Median, and in brackets the range, of what seeds give."""
+    return f"{numpy.median(values):.{digits}f} ({min(values):.{digits}f} to {max(values):.{digits}f})"
+
+
+def component_panels(image, layers):
+    """Figure 6.3. Returns the factor by which each component is scaled for display: all fill it, as in the thesis."""
     beauty = runs.read_layer(image)
     exposure = 0.8 / numpy.percentile(beauty, 98)
-    for bounce, layer in zip(stats["bounces"], ["direct", "bounce2", "bounce3", "bounce4"]):
+    panels, scales = [], []
+    for layer in layers:
         pixels = runs.read_layer(image, layer)
-        scale = 0.8 / numpy.percentile(pixels, 98) / exposure  # every component fills the display, as in the thesis
-        panels.append((f"{layer}, x {scale:.1f}", plots.shrink(plots.display(pixels, scale * exposure))))
-        rows.append(row(layer, bounce["pencils"] or "50 light samples", *(f"{v:.4f}" for v in bounce["mean"]), f"{scale:.1f}"))
+        scales.append(0.8 / numpy.percentile(pixels, 98) / exposure)
+        panels.append((f"{layer}, x {scales[-1]:.1f}", plots.shrink(plots.display(pixels, scales[-1] * exposure))))
     panels.append(("all", plots.shrink(plots.display(beauty, exposure))))
     plots.panel_row("bounce-components.png", panels)
+    return scales
+
+
+def bounce_components(truth, options):
+    """Table of figure 6.3: sets of 100, 50 and 25 pencils carry the second, third and fourth light bounce. Drawn is the first seed."""
+    layers = ["direct", "bounce2", "bounce3", "bounce4"]
+    images = [
+        runs.render(f"components-{seed}", "--pencils", 100, "--decay", 0.5, "--bounces", 4, "--seed", seed, device=options.device)
+        for seed in SEEDS
+    ]
+    sets = [b["pencils"] for b in images[0][1]["bounces"]]
+    if sets != [0, 100, 50, 25]:
+        raise SystemExit(f"thesis_results: figure 6.3 needs sets of 100, 50 and 25 pencils, not {sets[1:]}")
+    ratios = [runs.mean_ratios(image, truth) for image, _ in images]
+    rows = []
+    for k, (layer, scale) in enumerate(zip(layers, component_panels(images[0][0], layers))):
+        means = numpy.median([stats["bounces"][k]["mean"] for _, stats in images], axis=0)
+        over = spread([r[layer] for r in ratios], 3)
+        rows.append(row(layer, sets[k] or "50 light samples", *(f"{v:.4f}" for v in means), over, f"{scale:.1f}"))
     return "\n".join(rows)
 
 
+def lab_distance(image, truth, truth_pixels):
+    """(image, its L*a*b* distances from the reference, their RMS, exposure of the display); fails if `pencil compare` says another RMS."""
+    rms, exposure = runs.compare(image, truth)
+    pixels = runs.read_layer(image)
+    distance = numpy.linalg.norm(plots.lab(pixels, exposure) - plots.lab(truth_pixels, exposure), axis=-1)
+    if abs(numpy.sqrt((distance**2).mean()) - rms) > 0.01 * rms:
+        raise SystemExit(f"thesis_results: the L*a*b* RMS drawn differs from that of `pencil compare`, {rms}")
+    return pixels, distance, rms, exposure
+
+
 def image_series(truth, options):
-    """Figures 6.4 and 6.5: images of 32, 64 and 128 pencils and their L*a*b* distances from the reference."""
+    """Figures 6.4 and 6.5: images of 32, 64 and 128 pencils and their L*a*b* distances from the reference. Drawn is the first seed."""
     truth_pixels = runs.read_layer(truth)
     images, distances, rows = [], [], []
     for pencils in SERIES:
-        image, _ = runs.render(f"series-{pencils}", "--pencils", pencils, "--decay", 0.7, device=options.device)
-        rms, exposure = runs.compare(image, truth)
-        pixels = runs.read_layer(image)
-        distance = numpy.linalg.norm(plots.lab(pixels, exposure) - plots.lab(truth_pixels, exposure), axis=-1)
-        if abs(numpy.sqrt((distance**2).mean()) - rms) > 0.01 * rms:
-            raise SystemExit(f"thesis_results: the L*a*b* RMS drawn differs from that of `pencil compare`, {rms}")
+        found = []
+        for seed in SEEDS:
+            image, _ = runs.render("series", "--pencils", pencils, "--decay", 0.7, "--seed", seed, device=options.device)
+            found.append(lab_distance(image, truth, truth_pixels))
+        pixels, distance, _, exposure = found[0]
         images.append((f"{pencils} pencils", plots.shrink(plots.display(pixels, exposure))))
         distances.append((f"{pencils} pencils", plots.shrink(distance)))
-        rows.append(row(pencils, f"{rms:.2f}", f"{numpy.median(distance):.2f}", f"{numpy.percentile(distance, 99):.1f}"))
+        medians, last = ([of(d) for _, d, _, _ in found] for of in (numpy.median, lambda d: numpy.percentile(d, 99)))
+        rows.append(row(pencils, spread([rms for _, _, rms, _ in found]), spread(medians), spread(last, 1)))
     images.append(("reference", plots.shrink(plots.display(truth_pixels, exposure))))
     plots.panel_row("image-series.png", images)
     plots.panel_row("image-differences.png", distances, bar=("L*a*b* distance", 30))
@@ -92,7 +119,7 @@ def error_curve(truth, options):
                 values.setdefault(pencils, []).append(runs.compare(image, truth)[0])
         curves[f"--weights {weights}"] = values
     plots.error_curve("error-curve.png", curves)
-    return "\n".join(row(n, *(f"{numpy.mean(v[n]):.2f}" for v in curves.values())) for n in CURVE)
+    return "\n".join(row(n, *(spread(v[n]) for v in curves.values())) for n in CURVE)
 
 
 def stage_times(options):
@@ -119,12 +146,14 @@ def transport_times(options):
     """Table 6.4."""
     rows = []
     for source, target, printed in TABLE_6_4:
-        arguments = ["--pencils", source, "--decay", target / source, "--bounces", 3]
+        arguments = ["--pencils", source, "--decay", target / source, "--least-pencils", 1, "--bounces", 3]
         (time,), stats = runs.least_times(
             options.repeats, "times", arguments, lambda s: [runs.stage(s, "pencil transport")["wall_seconds"]], options.device
         )
         sets = [b["pencils"] for b in stats["bounces"]][1:]
-        rows.append(row(f"{source} -> {target}", f"{sets[0]} -> {sets[1]}", f"{printed:.2f}", seconds(time)))
+        if sets != [source, target]:
+            raise SystemExit(f"thesis_results: table 6.4 needs sets of {source} and {target} pencils, not {sets}")
+        rows.append(row(f"{source} -> {target}", f"{printed:.2f}", seconds(time)))
     return "\n".join(rows)
 
 
@@ -157,36 +186,47 @@ def map_study(options):
     return study, "\n".join(rates), "\n".join(look_ups)
 
 
+def stages(options, values):
+    values["table_6_3"], stats = stage_times(options)
+    values["table_6_4"], values["table_6_5"] = transport_times(options), direct_times(options)
+    values.update(repeats=options.repeats, device=stats["device"]["name"], units=stats["device"]["compute_units"])
+    values.update(film_surfels=stats["film_surfels"], version=stats["version"])
+
+
+def maps(options, values):
+    study, values["table_6_6"], values["look_ups"] = map_study(options)
+    values.update(look_up_surfels=study["surfels"], look_up_repeats=study["repeats"], thesis_look_ups=THESIS_LOOK_UPS_MS)
+
+
+def figures(options, values):
+    truth = options.reference or runs.reference(options.spp)
+    values.update(spp=options.spp, seeds=len(SEEDS))
+    values["components"], values["series"] = bounce_components(truth, options), image_series(truth, options)
+    values["curve"] = error_curve(truth, options)
+
+
+def crops(options, values):
+    values["artefacts"] = artefacts.artefacts(options.reference or runs.reference(options.spp), options)
+    artefacts.field_maps(options)
+
+
+PARTS = {"stages": stages, "maps": maps, "figures": figures, "artefacts": crops}
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--reference", type=pathlib.Path, help="EXR of the path traced Cornell box; without it, one is rendered")
     parser.add_argument("--spp", type=int, default=512, help="paths per pixel of the reference (default 512)")
     parser.add_argument("--repeats", type=int, default=5, help="renders of which the least time counts (default 5)")
     parser.add_argument("--device", help="as in `pencil render`")
+    parser.add_argument("--only", nargs="+", choices=PARTS, default=list(PARTS), help="parts to be made anew; others are those of the last run")
     options = parser.parse_args()
     runs.WORK.mkdir(parents=True, exist_ok=True)
-    table_6_3, stats = stage_times(options)
-    values = {
-        "table_6_3": table_6_3,
-        "table_6_4": transport_times(options),
-        "table_6_5": direct_times(options),
-        "repeats": options.repeats,
-        "device": stats["device"]["name"],
-        "units": stats["device"]["compute_units"],
-        "film_surfels": stats["film_surfels"],
-        "version": stats["version"],
-        "thesis_look_ups": THESIS_LOOK_UPS_MS,
-    }
-    study, values["table_6_6"], values["look_ups"] = map_study(options)
-    values["look_up_surfels"], values["look_up_repeats"] = study["surfels"], study["repeats"]
-    truth = options.reference or runs.reference(options.spp)
-    values["components"] = bounce_components(options)
-    values["series"] = image_series(truth, options)
-    values["curve"] = error_curve(truth, options)
-    values["artefacts"] = artefacts.artefacts(truth, options)
-    artefacts.field_maps(options)
-    values["spp"] = options.spp
-    values["seeds"] = len(SEEDS)
+    kept = runs.WORK / "values.json"
+    values = json.loads(kept.read_text()) if kept.exists() else {}
+    for part in options.only:
+        PARTS[part](options, values)
+        kept.write_text(json.dumps(values))
     page = string.Template(TEMPLATE.read_text()).substitute(values)
     (runs.ROOT / "docs/thesis-results.md").write_text(page)
     print("thesis_results: wrote docs/thesis-results.md")

@@ -45,6 +45,11 @@ def compare(image, truth):
     return beauty["lab_rms"], result["exposure"]
 
 
+def mean_ratios(image, truth):
+    """Mean of each layer over the reference's, by layer."""
+    return {layer["name"]: layer["mean_ratio"] for layer in json.loads(run(PENCIL, "compare", image, truth, "--json"))["layers"]}
+
+
 def read_layer(file, layer=""):
     """Linear rgb of a layer of an EXR file as float array [height][width][3]."""
     prefix = layer + "." if layer else ""
