@@ -58,21 +58,15 @@ def truth(name, folder, seconds):
     return scene, reference
 
 
-def time_of(scene, flags, seed, folder):
-    """Renders image.exr of the folder; seconds without building kernels."""
+def measure(scene, flags, seed, folder, reference):
     image, stats = os.path.join(folder, "image.exr"), os.path.join(folder, "stats.json")
     run(PENCIL, "render", scene, "-o", image, "--resolution", f"{SIZE}x{SIZE}", "--seed", str(seed), "--quiet", "--stats", stats,
         *flags.split())
     with open(stats, encoding="utf-8") as file:
         times = json.load(file)
-    return times["total_wall_seconds"] - times["kernel_build_seconds"]
-
-
-def measure(scene, flags, seed, folder, reference):
-    image = os.path.join(folder, "image.exr")
-    seconds = time_of(scene, flags, seed, folder)
     layers = compare(image, reference)
     orders = [ratio for name, (_, ratio) in layers.items() if name != "beauty" and int(name[6:]) <= LAST_ORDER] or [numpy.nan]
+    seconds = times["total_wall_seconds"] - times["kernel_build_seconds"]
     return (*layers["beauty"], min(orders), max(orders), red_front(image) / red_front(reference), seconds)
 
 
