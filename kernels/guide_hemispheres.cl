@@ -10,6 +10,9 @@
 #include "shared/bvh.h"
 #include "shared/material.h"
 
+/// Share of a cone at its edge that is left out, so that rounding takes no direction out of it.
+#define GUIDE_MARGIN 5e-4f
+
 static inline float guide_unit(uint bits) { return (bits >> UNIT_SHIFT) * UNIT_STEP; }
 
 /// Direction of guided ray `number`: rays take turns among the spots, each as often as its chance says.
@@ -18,7 +21,12 @@ static inline float3 guided_direction(const SpotView *v, int number, uint key, u
     float pick = (number + guide_unit(turn)) / SPOT_RAYS, sum = v->chance[0];
     int k = 0;
     while (k + 1 < v->count && pick >= sum) sum += v->chance[++k];
-    return direction_into(v->axis[k], v->opening[k], guide_unit(bits ^ shift.x), guide_unit(hash_uint(bits) ^ shift.y));
+    float rise = v->opening[k] * (1.0f - GUIDE_MARGIN) * guide_unit(bits ^ shift.x),
+          phi = 2.0f * M_PI_F * guide_unit(hash_uint(bits) ^ shift.y);
+    float aside = sqrt(fmax(rise * (2.0f - rise), 0.0f));
+    float3 t, b;
+    tangent_frame(v->axis[k], &t, &b);
+    return normalize(aside * cos(phi) * t + aside * sin(phi) * b + (1.0f - rise) * v->axis[k]);
 }
 
 /// Of the packet at `first`, see below.

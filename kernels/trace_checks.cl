@@ -10,7 +10,6 @@
 #include "lib/packet.cl"
 #include "lib/rays.cl"
 #include "lib/shadow.cl"
-#include "lib/spots.cl"
 #include "lib/surfel.cl"
 #include "shared/surfel.h"
 
@@ -58,44 +57,6 @@ static inline CheckPath begin_path(global const float *surfels, size_t capacity,
     return p;
 }
 
-/// Share of directions that are drawn into the cones of spots: what they take from others comes back in each as noise, so not more.
-#define CHECK_GUIDED 0.2f
-
-/// Bright spots (spots.cl), to which paths are led from vertices that see some.
-typedef struct CheckGuides {
-    global const float4 *spots;
-    global const float *weights;
-    int count;
-} CheckGuides;
-
-/// Density of cosines and cones of spots [1/sr]; cosines alone where none is seen.
-static inline float guided_density(const Vertex *v, const CheckGuides *guides, float3 direction, float cosines) {
-    float sum = 0.0f, total = 0.0f;
-    for (int k = 0; k < guides->count; ++k) {
-        SpotCone cone;
-        if (!spot_cone(v->x, v->n, guides->spots[k], guides->weights[k], &cone)) continue;
-        total += cone.chance;
-        if (cone_holds(cone.axis, cone.opening, direction)) sum += cone.chance / (2.0f * M_PI_F * cone.opening);
-    }
-    return total > 0.0f ? (1.0f - CHECK_GUIDED) * cosines + CHECK_GUIDED * sum / total : cosines;
-}
-
-/// A direction into one of the cones, chosen by `pick`. False if no spot is seen.
-static inline bool guided_direction(const Vertex *v, const CheckGuides *guides, float pick, float rise, float turn, float3 *direction) {
-    float total = 0.0f, sum = 0.0f;
-    SpotCone cone, chosen;
-    for (int k = 0; k < guides->count; ++k)
-        if (spot_cone(v->x, v->n, guides->spots[k], guides->weights[k], &cone)) total += cone.chance;
-    if (!(total > 0.0f)) return false;
-    for (int k = 0; k < guides->count && sum <= pick * total; ++k)
-        if (spot_cone(v->x, v->n, guides->spots[k], guides->weights[k], &cone)) {
-            sum += cone.chance;
-            chosen = cone;
-        }
-    *direction = direction_into(chosen.axis, chosen.opening, rise, turn);
-    return true;
-}
-
 /// Chance with which a direction is drawn for the base of a vertex.
 static inline float base_chance(const Vertex *v) {
     if (!PENCIL_LOBES || v->bsdf.model == MATERIAL_DIFFUSE) return 1.0f;
@@ -104,9 +65,9 @@ static inline float base_chance(const Vertex *v) {
 }
 
 /// Scattering from a unit direction, times the cosine, and the density with which next_direction draws it.
-static inline float3 scatter_from(const Vertex *v, const CheckGuides *guides, float3 direction, float *density) {
+static inline float3 scatter_from(const Vertex *v, float3 direction, float *density) {
     float cosine = dot(v->n, direction), up = fmax(cosine, 0.0f) * M_1_PI_F, chance = base_chance(v);
-    *density = chance > 0.0f ? chance * guided_density(v, guides, direction, up) : 0.0f;
+    *density = chance * up;
     bool above = dot(v->g, direction) > 0.0f;
     if (!PENCIL_LOBES || v->bsdf.model == MATERIAL_DIFFUSE) return above ? v->albedo * up : (float3)(0.0f);
     float3 t, b, omega_o = seen_from(v->n, v->o);
@@ -118,15 +79,15 @@ static inline float3 scatter_from(const Vertex *v, const CheckGuides *guides, fl
 }
 
 /// Radiance that the vertex sends back of it, by the balance heuristic.
-static inline float3 scattered_light(const CheckPath *p, const CheckGuides *guides, const Aim *a) {
+static inline float3 scattered_light(const CheckPath *p, const Aim *a) {
     if (!any(a->light > 0.0f)) return (float3)(0.0f);
     float own;
-    float3 f = p->throughput * scatter_from(&p->at, guides, a->direction, &own);
+    float3 f = p->throughput * scatter_from(&p->at, a->direction, &own);
     return f * a->light * (a->density > 0.0f ? 1.0f / (a->density + own) : 1.0f);
 }
 
 /// A direction for what the vertex scatters; the throughput takes that in. 0 if the path ends.
-static inline float3 next_direction(CheckPath *p, const CheckGuides *guides) {
+static inline float3 next_direction(CheckPath *p) {
     float pick = check_random(p), u = check_random(p), v = check_random(p), w = PENCIL_LOBES ? check_random(p) : 0.0f,
           chance = base_chance(&p->at);
     float3 t, b, direction;
@@ -135,10 +96,8 @@ static inline float3 next_direction(CheckPath *p, const CheckGuides *guides) {
     else
         tangent_frame(p->at.n, &t, &b);
     if (pick < chance) {
-        bool guided =
-            guides->count > 0 && check_random(p) < CHECK_GUIDED && guided_direction(&p->at, guides, check_random(p), u, v, &direction);
         float radius = sqrt(u), phi = 2.0f * M_PI_F * v;
-        if (!guided) direction = radius * cos(phi) * t + radius * sin(phi) * b + sqrt(1.0f - u) * p->at.n;
+        direction = radius * cos(phi) * t + radius * sin(phi) * b + sqrt(1.0f - u) * p->at.n;
     } else {
         BsdfSample s = bsdf_sample(&p->at.bsdf, seen_from(p->at.n, p->at.o), (float3)(u, v, w));
         direction = s.omega_i.x * t + s.omega_i.y * b + s.omega_i.z * p->at.n;
@@ -159,7 +118,7 @@ static inline float3 next_direction(CheckPath *p, const CheckGuides *guides) {
         }
     }
     p->from = p->at.x;
-    float3 f = scatter_from(&p->at, guides, direction, &p->pdf);
+    float3 f = scatter_from(&p->at, direction, &p->pdf);
     p->throughput *= p->pdf > 0.0f ? f / p->pdf : (float3)(0.0f);
     return direction;
 }
@@ -213,8 +172,8 @@ static inline LaneRays rays_of_paths(const CheckPath *paths, const float3 *direc
 }
 
 /// Light from one sample of the emitters to each path's vertex.
-static inline void light_vertices(CheckPath *paths, const CheckGuides *guides, const CheckLights *lights, const Surfaces *scene,
-                                  global const BvhNode *nodes, global const int *leaves) {
+static inline void light_vertices(CheckPath *paths, const CheckLights *lights, const Surfaces *scene, global const BvhNode *nodes,
+                                  global const int *leaves) {
     float3 light[PENCIL_WIDTH], segments[PENCIL_WIDTH];
     float end[PENCIL_WIDTH];
 #pragma unroll 1
@@ -226,7 +185,7 @@ static inline void light_vertices(CheckPath *paths, const CheckGuides *guides, c
         float pick = check_random(p), u = check_random(p), v = check_random(p);
         Aim a = aim_check(p->at.x, (float3)(pick, u, v), lights, scene);
         segments[l] = a.segment;
-        light[l] = scattered_light(paths + l, guides, &a);
+        light[l] = scattered_light(paths + l, &a);
         if (any(light[l] > 0.0f)) end[l] = a.far ? INFINITY : CHECK_SHADOW_END;
     }
     LaneRays rays = rays_of_paths(paths, segments, end);
@@ -241,25 +200,23 @@ static inline float3 vertex_share(const Vertex *v) {
 }
 
 /// Ends the path by Russian roulette, or gives it a direction. False if it has ended.
-static inline bool go_on(CheckPath *p, const CheckGuides *guides, int order, float3 *direction) {
+static inline bool go_on(CheckPath *p, int order, float3 *direction) {
     *direction = (float3)(0.0f);
     if (order > CHECK_SURE_ORDERS) {
         float survival = fmin(largest(p->throughput * vertex_share(&p->at)), 1.0f);
         p->throughput = survival > 0.0f && check_random(p) < survival ? p->throughput / survival : (float3)(0.0f);
     }
-    if (any(p->throughput > 0.0f)) *direction = next_direction(p, guides);
+    if (any(p->throughput > 0.0f)) *direction = next_direction(p);
     return any(p->throughput > 0.0f);
 }
 
 /// Of the packet at `first`, see below.
 APART static void trace_checks_packet(int first, global const float *surfels, int capacity, global const int *starts, int path_count,
                                       global const Emitter *emitters, int emitter_count, global const float *densities, float sky_density,
-                                      SKY_PARAMETERS, global const float4 *spots, global const float *weights, int spot_count, int orders,
-                                      uint seed, global const BvhNode *nodes, global const int *leaves, SURFACES_PARAMETERS,
-                                      global float *radiance) {
+                                      SKY_PARAMETERS, int orders, uint seed, global const BvhNode *nodes, global const int *leaves,
+                                      SURFACES_PARAMETERS, global float *radiance) {
     CheckPath paths[PENCIL_WIDTH];
     CheckLights lights = {emitters, emitter_count, densities, sky_density, sky, sky_texels};
-    CheckGuides guides = {spots, weights, spot_count};
     Surfaces scene = SURFACES;
 #pragma unroll 1
     for (int l = 0; l < PENCIL_WIDTH; ++l)
@@ -267,13 +224,13 @@ APART static void trace_checks_packet(int first, global const float *surfels, in
                               hash_uint(seed + hash_uint(first + l)));
     int most = orders < 0 ? CHECK_MOST_ORDERS : orders;
     for (int order = 1; order <= most; ++order) {
-        if (emitter_count > 0) light_vertices(paths, &guides, &lights, &scene, nodes, leaves);
+        if (emitter_count > 0) light_vertices(paths, &lights, &scene, nodes, leaves);
         float3 directions[PENCIL_WIDTH];
         float end[PENCIL_WIDTH];
         bool alive = false;
 #pragma unroll 1
         for (int l = 0; l < PENCIL_WIDTH; ++l) {
-            bool goes_on = go_on(paths + l, &guides, order, directions + l);
+            bool goes_on = go_on(paths + l, order, directions + l);
             end[l] = goes_on ? INFINITY : -1.0f;
             alive |= goes_on;
         }
@@ -293,15 +250,15 @@ APART static void trace_checks_packet(int first, global const float *surfels, in
 
 /// launch : 1-D, one work-item per packet of PENCIL_WIDTH paths
 /// in     : surfels; starts[path_count]: the surfel of each path, -1: none; emitters[emitter_count], densities[material] and sky_density: as
-///          in EmitterTable; spots, weights: as in guide_hemispheres, places that paths are led to; orders: reflections at most, -1: no limit; seed; the scene
+///          in EmitterTable; orders: reflections at most, -1: no limit; seed; the scene
 /// out    : radiance[3][path_count]: an estimate of what each surfel reflects to the eye [W m^-2 sr^-1]: the film knows
 ///          better what it emits
 kernel void trace_checks(global const float *surfels, int capacity, global const int *starts, int path_count,
                          global const Emitter *emitters, int emitter_count, global const float *densities, float sky_density,
-                         SKY_PARAMETERS, global const float4 *spots, global const float *weights, int spot_count, int orders, uint seed,
-                         global const BvhNode *nodes, global const int *leaves, SURFACES_PARAMETERS, global float *radiance) {
+                         SKY_PARAMETERS, int orders, uint seed, global const BvhNode *nodes, global const int *leaves, SURFACES_PARAMETERS,
+                         global float *radiance) {
     int first = get_global_id(0) * PENCIL_WIDTH;
     if (first >= path_count) return;
-    trace_checks_packet(first, surfels, capacity, starts, path_count, emitters, emitter_count, densities, sky_density, SKY_ARGUMENTS, spots,
-                        weights, spot_count, orders, seed, nodes, leaves, SURFACES_ARGUMENTS, radiance);
+    trace_checks_packet(first, surfels, capacity, starts, path_count, emitters, emitter_count, densities, sky_density, SKY_ARGUMENTS,
+                        orders, seed, nodes, leaves, SURFACES_ARGUMENTS, radiance);
 }

@@ -39,8 +39,7 @@ Mean mean_of(const std::vector<double>& values) {
 
 }  // namespace
 
-ErrorCheck::ErrorCheck(RenderContext& context)
-    : context_(context), no_spheres_(context.kernels.device(), 1, "no guides"), no_weights_(context.kernels.device(), 1, "no guides") {
+ErrorCheck::ErrorCheck(RenderContext& context) : context_(context) {
     const EmitterTable table = tabulate_emitters(context.scene, context.flat);
     lights_.count = static_cast<int>(table.emitters.size());
     lights_.densities = Buffer<float>(context.kernels.device(), table.densities, "densities of emitters");
@@ -50,8 +49,8 @@ ErrorCheck::ErrorCheck(RenderContext& context)
 }
 
 /// Reflected light of pixels, each by so many `paths`.
-std::vector<glm::dvec3> ErrorCheck::estimate(const Film& film, const std::vector<std::size_t>& pixels, int paths, std::uint64_t seed,
-                                             const CheckGuides& guides) const {
+std::vector<glm::dvec3> ErrorCheck::estimate(const Film& film, const std::vector<std::size_t>& pixels, int paths,
+                                             std::uint64_t seed) const {
     const FilmDraws draws(film);
     std::vector<int> starts;
     std::vector<float> weights;
@@ -66,7 +65,7 @@ std::vector<glm::dvec3> ErrorCheck::estimate(const Film& film, const std::vector
     const auto& device = context_.kernels.device();
     Buffer<float> radiance(device, 3 * starts.size(), "radiance of check paths");
     trace_checks(context_.kernels, context_.device_scene, film.surfels(), Buffer<int>(device, starts, "starts of check paths"), lights_,
-                 guides, context_.options.bounces, static_cast<uint>(hash64(seed) >> 32), radiance);
+                 context_.options.bounces, static_cast<uint>(hash64(seed) >> 32), radiance);
     const std::vector<float> found = radiance.read();
     std::vector<glm::dvec3> values(pixels.size(), glm::dvec3(0));
     for (std::size_t at = 0; at < starts.size(); ++at)
@@ -89,8 +88,7 @@ void ErrorCheck::add_emission(const std::vector<float>& emission, double weight)
     weight_ += weight;
 }
 
-void ErrorCheck::add(const Film& film, int paths, std::uint64_t seed, const CheckGuides* known) {
-    const CheckGuides guides = known ? *known : CheckGuides(no_spheres_, no_weights_, 0);
+void ErrorCheck::add(const Film& film, int paths, std::uint64_t seed) {
     const int each = std::clamp(paths / (2 * least_pixels), 1, most_paths);
     const auto looked = static_cast<std::size_t>(std::max(paths / (2 * each), least_pixels));
     const glm::dvec2 shift(random_unit(seed, 0, 0), random_unit(seed, 0, 1));
@@ -101,10 +99,10 @@ void ErrorCheck::add(const Film& film, int paths, std::uint64_t seed, const Chec
         const auto x = static_cast<std::size_t>(u.x * film.width()), y = static_cast<std::size_t>(u.y * film.height());
         pixels.push_back(y * static_cast<std::size_t>(film.width()) + x);
     }
-    const std::vector<glm::dvec3> values = estimate(film, pixels, each, seed, guides);
+    const std::vector<glm::dvec3> values = estimate(film, pixels, each, seed);
     const std::size_t begin = half_done_.size();
     std::vector<glm::dvec3> second(pixels.size() - begin, glm::dvec3(0));
-    if (points_.empty() && begin == 0) second = estimate(film, pixels, each, hash64(seed), guides);  // there is but this film
+    if (points_.empty() && begin == 0) second = estimate(film, pixels, each, hash64(seed));  // there is but this film
     for (std::size_t i = 0; i < begin; ++i) points_.push_back({pixels[i], half_done_[i].first, values[i]});
     half_done_.clear();
     for (std::size_t i = begin; i < pixels.size(); ++i) half_done_.push_back({pixels[i], values[i], second[i - begin]});

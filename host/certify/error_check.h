@@ -26,9 +26,8 @@ public:
     void add_emission(const std::vector<float>& emission, double weight);
 
     /// Looks at some pixels with about `paths` paths in all: at those of the last call once more, and at new ones. The two estimates of a pixel
-    /// come from the visibility samples of two films, so that the error of these is seen, too. `guides`: where hidden light is, if that is known.
-    /// DeviceError, MemoryError.
-    void add(const Film& film, int paths, std::uint64_t seed, const CheckGuides* guides = nullptr);
+    /// come from the visibility samples of two films, so that the error of these is seen, too. DeviceError, MemoryError.
+    void add(const Film& film, int paths, std::uint64_t seed);
 
     /// Of `beauty`, rgb per pixel, against all that was looked at so far.
     CertifiedError certify(const std::vector<float>& beauty, const std::vector<float>& usual) const;
@@ -44,13 +43,10 @@ private:
 
     std::vector<PixelLooks> looks_at(const std::vector<Point>& points, const std::vector<float>& beauty) const;
     double reflected(const std::vector<float>& beauty, std::size_t i) const;
-    std::vector<glm::dvec3> estimate(const Film& film, const std::vector<std::size_t>& pixels, int paths, std::uint64_t seed,
-                                     const CheckGuides& guides) const;
+    std::vector<glm::dvec3> estimate(const Film& film, const std::vector<std::size_t>& pixels, int paths, std::uint64_t seed) const;
 
     RenderContext& context_;
     CheckLights lights_;
-    Buffer<float4> no_spheres_;  // where nothing is known of hidden light
-    Buffer<float> no_weights_;
     std::vector<Point> points_;
     std::vector<double> emission_;  // sum of weight * emission, rgb per pixel
     double weight_ = 0;

@@ -18,12 +18,9 @@ struct CheckLights {
     float sky_density = 0;    // as this
 };
 
-/// Places that paths are led to, so that they find hidden light (DeviceSpots::list): spheres, weights, how many.
-using CheckGuides = std::tuple<const Buffer<float4>&, const Buffer<float>&, int>;
-
 /// One light path from each of `starts` (surfels, -1: none): radiance[3][starts] is what it finds that the surfel sends to the eye, emission
 /// and `orders` reflections (-1: all) [W m^-2 sr^-1]. Needs the scene's hierarchy.
 void trace_checks(Kernels& kernels, const DeviceScene& scene, const Surfels& surfels, const Buffer<int>& starts, const CheckLights& lights,
-                  const CheckGuides& guides, int orders, uint seed, Buffer<float>& radiance);
+                  int orders, uint seed, Buffer<float>& radiance);
 
 }  // namespace pencil

@@ -236,7 +236,7 @@ void SurfaceMethod::add_bounces(const SurfacePass& pass, const Turn& turn) {
     report_bounces();
     gather_film(pass, pixels, turn);
     if (const int paths = check_paths(pixels.film.is_row_of_sensors() ? sensor_rays_per_check : rays_per_check); paths > 0)
-        context_.clock.run("check error", [&] { check(paths, hash64(turn.seed + 1) + turn.index); });
+        context_.clock.run("check error", [&] { mean_.check().add(frame_->film(), paths, hash64(turn.seed + 1) + turn.index); });
 }
 
 /// What film pencils gather from the world set, and reflections of surfels with lobes.
@@ -268,13 +268,6 @@ int SurfaceMethod::check_paths(double rays_per_path) const {
     const double length = check_length();
     if (length > longest_check) return 0;
     return static_cast<int>(course_.film_rays / (rays_per_path * std::max(length / usual_check, 1.0)));
-}
-
-/// By paths of light, which are led to where it is hidden.
-void SurfaceMethod::check(int paths, std::uint64_t seed) {
-    const DeviceSpots& spots = solver_->spots();
-    const CheckGuides guides = spots.list();
-    mean_.check().add(frame_->film(), paths, seed, spots.count > 0 ? &guides : nullptr);
 }
 
 /// What the world's bounces say of the image.
@@ -328,9 +321,8 @@ std::vector<std::string> SurfaceMethod::explain() const {
         "indirect light: pencils on surfaces; left out: octahedral maps of pencils, density, weights, shrinking sets"};
     if (context_.stats.bounce_solve.steps > 0) lines.push_back(explain_bounces(context_.stats.bounce_solve, context_.stats.residual));
     if (solver_ && context_.wanted(2))
-        lines.push_back(solver_->spots().count > 0
-                            ? fmt::format("bright spots: pencils send rays of their own to {}", solver_->spots().count)
-                            : "left out: rays to bright spots: rays in all directions find the light");
+        lines.push_back(solver_->spots() > 0 ? fmt::format("bright spots: pencils send rays of their own to {}", solver_->spots())
+                                             : "left out: rays to bright spots: rays in all directions find the light");
     if (solver_ && course_.film_rays > 0 && check_length() > longest_check)
         lines.push_back("left out: check by light paths (too many reflections matter); the error is that of the spread of passes alone");
     return lines;

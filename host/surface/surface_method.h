@@ -45,7 +45,6 @@ private:
     void solve_world(const Turn& turn);
     double check_length() const;
     int check_paths(double rays_per_path) const;
-    void check(int paths, std::uint64_t seed);
     void report_bounces();
     bool enough(double pace);
     SurfacePass pass(int index) const;

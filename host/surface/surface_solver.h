@@ -73,8 +73,8 @@ public:
     double residual() const { return residual_; }
     /// How the world's bounces were added up.
     const BounceSolve& bounces() const { return bounces_; }
-    /// Bright spots and portals that pencils send rays of their own to.
-    const DeviceSpots& spots() const { return spots_; }
+    /// Bright spots that film pencils send rays of their own to.
+    int spots() const { return spots_.count; }
 
 private:
     /// Of emitters near pencils or carried by maps; of light samples, reflected.

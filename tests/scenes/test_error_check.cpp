@@ -32,7 +32,7 @@ struct Checked {
     void look(ErrorCheck& with, int paths, std::uint64_t seed) {
         Frame frame(context, {}, 1, 0, Turn{seed});
         with.add_emission(frame.layers().beauty(), 1);
-        with.add(frame.film(), paths, seed, guides);
+        with.add(frame.film(), paths, seed);
     }
 
     /// Of an image of the scene, which counts light in its own unit.
@@ -45,15 +45,7 @@ struct Checked {
     RenderOptions options;
     RenderContext context;
     ErrorCheck check;
-    const CheckGuides* guides = nullptr;
 };
-
-/// Places all over a room of [-1, 1]^3, some of them where nothing is.
-DeviceSpots spots_of_room() {
-    return DeviceSpots(
-        device(),
-        {{{0, 0.95F, 0}, 0.4F, 0.5F}, {{-0.9F, -0.9F, 0.9F}, 0.2F, 0.2F}, {{0.6F, 0.2F, 0.7F}, 0.05F, 0.2F}, {{0, 0, 0}, 0.6F, 0.1F}});
-}
 
 std::vector<float> uniform_image(const Scene& scene, double value) {
     return std::vector<float>(static_cast<std::size_t>(3 * scene.sensor.width * scene.sensor.height), static_cast<float>(value));
@@ -99,49 +91,6 @@ TEST(ErrorCheck, OrdersEndWhereTheImageEnds) {
         const CertifiedError found = checked.certify(checked.check, uniform_image(checked.scene, (1.0 - std::pow(0.5, bounces + 1)) / 0.5));
         EXPECT_NEAR(found.mean_bias, 0.0, 4.0 * found.mean_error + 1e-5) << bounces << " bounces";
     }
-}
-
-/// Wherever paths are led, they find the same.
-TEST(ErrorCheck, GuidesTakeNoLight) {
-    const DeviceSpots spots = spots_of_room();
-    const CheckGuides guides = spots.list();
-    Checked furnished(furnace(0.9F));
-    furnished.guides = &guides;
-    furnished.look(1 << 15, 5);
-    const CertifiedError of_furnace = furnished.certify(furnished.check, uniform_image(furnished.scene, 10));
-    EXPECT_NEAR(of_furnace.mean_bias, 0.0, 4.0 * of_furnace.mean_error + 1e-5);
-    EXPECT_LT(of_furnace.mean_error, 2e-2);
-    for (const bool everything : {false, true}) {
-        Checked checked(everything ? room_of_everything() : closed_room());
-        checked.guides = &guides;
-        for (std::uint64_t film = 7; film < 17; ++film) checked.look(1 << 14, film);
-        const CertifiedError found = checked.certify(checked.check, truth(checked.scene, 1024, 3));
-        EXPECT_NEAR(found.mean_bias, 0.0, 4.0 * found.mean_error);
-        EXPECT_LT(found.mean_error, 0.015);
-    }
-}
-
-/// Light that comes from a small place that is known is checked with less noise: a lamp shines at the ceiling from close by.
-TEST(ErrorCheck, GuidesTakeNoise) {
-    Scene room;
-    for (int wall = 0; wall < 6; ++wall) add_wall(room, wall, dvec3(-1), dvec3(1), {glm::vec3(0.5F), glm::vec3(0.0F), false});
-    add_quad(room, "lamp", {-0.05, 0.9, -0.05}, {0, 0, 0.1}, {0.1, 0, 0}, {glm::vec3(0.0F), glm::vec3(800.0F), false});
-    look_at(room, {0.1, 0.3, -0.9}, {0, -0.6, 1}, {0, 1, 0}, 70.0, 32, 24);
-    const std::vector<float> image = truth(room, 1024, 3);
-    double errors[2];
-    for (const bool guided : {false, true}) {
-        Checked checked(room);
-        const Normalisation& units = checked.context.flat.normalisation;
-        const DeviceSpots spots(device(), {{glm::vec3(units.to_scene({0, 1, 0})), static_cast<float>(0.25 / units.scale), 1.0F}});
-        const CheckGuides guides = spots.list();
-        if (guided) checked.guides = &guides;
-        for (std::uint64_t film = 1; film < 17; ++film) checked.look(1 << 13, film);
-        const CertifiedError found = checked.certify(checked.check, image);
-        EXPECT_NEAR(found.mean_bias, 0.0, 4.0 * found.mean_error) << guided;
-        errors[guided] = found.mean_error;
-    }
-    std::printf("mean known to %.4f, guided %.4f\n", errors[0], errors[1]);
-    EXPECT_LT(errors[1], 0.75 * errors[0]);
 }
 
 TEST(ErrorCheck, AgreesWithThePathTracer) {
