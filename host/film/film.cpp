@@ -38,7 +38,7 @@ std::size_t pixel_count(const Camera& camera) { return static_cast<std::size_t>(
 }  // namespace
 
 double film_bytes(double pixels, int samples) {
-    return pixels * (samples + 1 + 4 + surfels_per_pixel * 4 * (SURFEL_FIELDS + 3 * layers_held) + 3 * 4);
+    return pixels * (samples + 1 + 4 + surfels_per_pixel * 4 * (SURFEL_FIELDS + 3 * layers_held) + (3 + 4) * 4);
 }
 
 Film::Film(Kernels& kernels, const DeviceScene& scene, const FilmCamera& camera, const ReconstructionFilter& filter, const Turn& turn,

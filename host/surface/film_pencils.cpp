@@ -150,9 +150,9 @@ void FilmPencils::refine_lattice(SurfaceSolver& solver, const TexelPoints& point
     }
 }
 
-/// A pencil for each uncovered surfel: at silhouettes, in creases and on small things. Pixels that are split are covered whole or not at all:
-/// pencils of a lattice reach further from where a lamp close by is faint than from where it is bright, so one smaller than a pixel would lose
-/// light.
+/// A pencil for each uncovered surfel: at silhouettes, in creases and on small things. Pixels whose samples have a surfel each, as those that
+/// are split, are covered whole or not at all: pencils of a lattice reach further from where a lamp close by is faint than from where it is
+/// bright, so one smaller than a pixel would lose light.
 void FilmPencils::place_singles(const std::vector<unsigned char>& uncovered) {
     ChosenSurfels chosen;
     std::vector<int> at(uncovered.size(), -1);

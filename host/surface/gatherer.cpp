@@ -123,11 +123,10 @@ void Gatherer::emit_guided(const SurfacePencils& pencils, int first, const Buffe
 void Gatherer::gather_spots(const GatherSource& source, const GatherTurn& turn, SurfacePencils& pencils, int first, int count,
                             const Reading& reading, const Buffer<float>& near_area) {
     auto& [surfels, outgoing, contact] = guide(*source.spots, turn, pencils, first, count, Keys::own).found;
-    if (source.direct) light_guided(turn, pencils, first, Keys::own);
+    light_guided(turn, pencils, first, Keys::own);
     if (source.spots->shine()) emit_guided(pencils, first, near_area);
-    if (source.world.count > 0)
-        project_surface_pencils(kernels_, scene_, surfels, source.world, reading.irradiance, source.grid, {pencils, first, SPOT_RAYS},
-                                reading.nearness, outgoing, contact);
+    project_surface_pencils(kernels_, scene_, surfels, source.world, reading.irradiance, source.grid, {pencils, first, SPOT_RAYS},
+                            reading.nearness, outgoing, contact);
     sum_guides(kernels_, outgoing, surfels.capacity, guided_.factors, first, count, pencils.irradiance);
 }
 

@@ -21,7 +21,9 @@ void PassCourse::transfer(Archive& archive) {
         Archive::expect(std::isfinite(value) && value >= 0, "a number is none");
     Archive::expect(solver.spots.size() <= SPOTS_MOST, "too many bright spots");
     for (const Spot& spot : solver.spots)
-        Archive::expect(std::isfinite(glm::length(spot.centre) + spot.radius + spot.weight), "a bright spot is nowhere");
+        Archive::expect(std::isfinite(glm::length(spot.centre) + spot.radius + spot.weight + spot.emission) && spot.radius >= 0 &&
+                            spot.weight >= 0 && spot.emission >= 0,
+                        "a bright spot is nowhere");
 }
 
 void transfer_stats(RenderStats& stats, Archive& archive) {

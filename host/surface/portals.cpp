@@ -34,7 +34,7 @@ constexpr float spread = 1.5F;
 constexpr float least_distance = 3;
 /// More light than if it came from everywhere alike, at least so many times as much.
 constexpr double least_gain = 4;
-/// Half of the rays of pencils go to portals, so at least as much of the light is to come through them.
+/// Portals cost a fifth to a half of the rays of pencils: they are not worth that where less of the light comes through them.
 constexpr double least_through = 0.5;
 
 /// Along a ray, the point closest to `place`; its distance from there, infinite if the ray begins near that place or ends before it.
@@ -167,6 +167,12 @@ private:
     float reach_;
 };
 
+/// The ray ends in the spot, or comes through it.
+bool holds(const Spot& spot, const LightRay& ray) {
+    const float along = std::min(glm::dot(spot.centre - ray.origin, ray.direction), ray.distance);
+    return along > 0 && holds(spot, ray.origin + along * ray.direction);
+}
+
 /// Some of them, evenly, if there are very many.
 std::vector<LightRay> some(const std::vector<LightRay>& rays) {
     if (rays.size() <= most_rays) return rays;
@@ -196,12 +202,12 @@ std::vector<LightRay> light_rays(const Surfels& seen, const SurfacePencils& view
     return rays;
 }
 
-std::vector<Spot> find_portals(const std::vector<LightRay>& rays, float reach) {
+std::vector<Spot> find_portals(const std::vector<LightRay>& rays, float reach, const std::vector<Spot>& known) {
     double all = 0, of_bright = 0;
     std::vector<LightRay> chosen;
     for (const LightRay& ray : rays) {
         all += static_cast<double>(ray.light);
-        if (!(ray.light > bright)) continue;
+        if (!(ray.light > bright) || std::any_of(known.begin(), known.end(), [&](const Spot& s) { return holds(s, ray); })) continue;
         of_bright += static_cast<double>(ray.light);
         chosen.push_back(ray);
     }

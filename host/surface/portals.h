@@ -22,7 +22,7 @@ struct LightRay {
 std::vector<LightRay> light_rays(const Surfels& seen, const SurfacePencils& viewers, bool outgoing, const std::vector<float>& emission,
                                  const std::vector<float>& light);
 
-/// None if rays in all directions find the light well enough. `reach`: radius of the widest [scene units].
-std::vector<Spot> find_portals(const std::vector<LightRay>& rays, float reach);
+/// Beside the spots that are known already. None if rays in all directions find the light well enough. `reach`: radius of the widest [scene units].
+std::vector<Spot> find_portals(const std::vector<LightRay>& rays, float reach, const std::vector<Spot>& known = {});
 
 }  // namespace pencil

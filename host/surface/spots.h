@@ -20,6 +20,9 @@ struct Spot {
     float emission = 0;  // the share of that which is emitted instead, where it is a portal (portals.h)
 };
 
+/// The place lies in the spot.
+inline bool holds(const Spot& spot, const glm::vec3& place) { return glm::distance(spot.centre, place) < spot.radius; }
+
 /// At most SPOTS_MOST of them, none if rays in all directions find the light well enough. `points` were met by such rays, each sends so much
 /// `light`; those closer together than `reach` [scene units] may be one spot.
 std::vector<Spot> find_spots(const std::vector<glm::vec3>& points, const std::vector<float>& light, float reach);

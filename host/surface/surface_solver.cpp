@@ -38,6 +38,8 @@ constexpr float spot_reach = 0.4F;
 constexpr float near_reach = 0.25F;
 /// The widest portal, in the same terms.
 constexpr float portal_reach = 0.4F;
+/// Where what is seen reflects more, rays that leave through a portal and rays that go on have to add up to all of them, which those of texels alone do.
+constexpr float most_albedo = 0.95F;
 /// The world's bounces stop at this share of the tolerance of the image.
 constexpr double tolerance_share = 0.1;
 
@@ -81,8 +83,10 @@ void SurfaceSolver::solve(int map, int orders, double tolerance, std::uint64_t s
     direct_ = !limited_ || orders >= 2;
     contacts_ = !limited_ || orders >= 3;
     seed_ = static_cast<uint>(hash64(seed) >> 32);
-    if (!looked_) clock_.run("bright spots", [&] { adopt(near_ = spots_ahead()); });
     if (!direct_ || world_.pencils().count == 0) return inform_team();  // film pencils see no reflections
+    if (!looked_)
+        clock_.run(
+            "bright spots", [&] { adopt(ahead_ = spots_ahead()); });
     clock_.run("world pencils", [&] { world_.gather(map, seed); });
     clock_.run("world bounces", [&] {
         iterate(orders, tolerance);
@@ -93,6 +97,9 @@ void SurfaceSolver::solve(int map, int orders, double tolerance, std::uint64_t s
 
 /// Each draws other light samples.
 std::uint64_t SurfaceSolver::next_seed() { return hash64((std::uint64_t{seed_} << 32) + ++gathers_); }
+
+/// What is looked at to find spots is lit by other draws than what is gathered with them.
+std::uint64_t SurfaceSolver::seed_of_search() const { return hash64(std::uint64_t{seed_} + 1) >> 32; }
 
 Chains SurfaceSolver::follow(const Surfels& film, const Buffer<int>& starts, int shared) {
     return follow_surfels(kernels_, scene_, film, starts, shared, {lights_.film, lights_.chains}, static_cast<uint>(next_seed() >> 32));
@@ -148,7 +155,7 @@ void SurfaceSolver::inform_team() {
     team_.take_world(solved);
 }
 
-bool SurfaceSolver::has_spots() const { return spots_.count > 0 && (direct_ || spots_.shine()); }
+bool SurfaceSolver::has_spots() const { return direct_ && spots_.count > 0; }
 
 /// Bright spots among what the world set sees, where no bounce has looked for them.
 void SurfaceSolver::look_for_spots() {
@@ -162,17 +169,17 @@ void SurfaceSolver::look_for_spots() {
 /// Spots of this world set, and those of others that it has missed.
 void SurfaceSolver::adopt(const std::vector<Spot>& found) {
     std::vector<Spot> all = found;
-    const auto holds = [](const Spot& a, const Spot& b) { return glm::distance(a.centre, b.centre) < a.radius; };
     for (const Spot& old : spots_.found)
-        if (std::none_of(found.begin(), found.end(), [&](const Spot& s) { return holds(s, old) || holds(old, s); })) all.push_back(old);
+        if (std::none_of(found.begin(), found.end(), [&](const Spot& s) { return holds(s, old.centre) || holds(old, s.centre); }))
+            all.push_back(old);
     know(all);
 }
 
 /// Among what the world set sees, which sends `outgoing`, and near lights.
 std::vector<Spot> SurfaceSolver::spots_among(const Buffer<float>& outgoing) {
-    std::vector<Spot> spots = near_;
+    std::vector<Spot> spots = ahead_;
     const auto known = [&](const Spot& found) {
-        return std::any_of(spots.begin(), spots.end(), [&](const Spot& s) { return glm::distance(s.centre, found.centre) < s.radius; });
+        return std::any_of(spots.begin(), spots.end(), [&](const Spot& s) { return holds(s, found.centre); });
     };
     std::vector<Spot> found = find_spots(world_.surfels(), outgoing, spot_reach * world_.seen_distance());
     found.erase(std::remove_if(found.begin(), found.end(), known), found.end());
@@ -182,34 +189,34 @@ std::vector<Spot> SurfaceSolver::spots_among(const Buffer<float>& outgoing) {
 
 /// Spots that are found before the world set gathers, by other rays than its own, so that they serve the first gather, too.
 std::vector<Spot> SurfaceSolver::spots_ahead() {
-    std::vector<Spot> spots = spots_near_lights();
-    for (const Spot& portal : portals())
-        if (std::none_of(spots.begin(), spots.end(), [&](const Spot& s) { return glm::distance(s.centre, portal.centre) < s.radius; }))
-            spots.push_back(portal);
+    std::vector<Spot> spots = spots_near_lights(), known = spots_.found;
+    known.insert(known.end(), spots.begin(), spots.end());
+    const std::vector<Spot> found = portals(known);
+    spots.insert(spots.end(), found.begin(), found.end());
     return spots;
 }
 
 /// Among what pencils see from their centres.
-std::vector<Spot> SurfaceSolver::portals() {
+std::vector<Spot> SurfaceSolver::portals(const std::vector<Spot>& known) {
     const Surfels& seen = world_.seen_from_centres();
-    if (seen.count == 0) return {};
+    if (seen.count == 0 || world_.seen_albedo() > most_albedo) return {};
     const SurfacePencils centres = world_.centres();
     Buffer<float> radiance = surfel_rgb(kernels_.device(), seen.capacity, "light to centres");
     emit_hemispheres(kernels_, scene_, seen, {centres, 0}, lights_.near_texel, radiance);
     const std::vector<float> emission = light_of(seen, radiance);
-    if (direct_) gatherer_.light(seen, radiance, seed_);
+    gatherer_.light(seen, radiance, seed_of_search());
     return find_portals(light_rays(seen, centres, kernels_.features().outgoing(), emission, light_of(seen, radiance)),
-                        portal_reach * world_.seen_distance());
+                        portal_reach * world_.seen_distance(), known);
 }
 
 /// Where lights stand too close before surfaces for texels to find what they light.
 std::vector<Spot> SurfaceSolver::spots_near_lights() {
-    if (!direct_ || lights_.small.empty()) return {};
+    if (lights_.small.empty()) return {};
     const SurfacePencils probes = probes_of(kernels_.device(), lights_.small);
     Gathered met;
     gatherer_.reserve(met, probes.count * probes.texels());
     trace_hemispheres(kernels_, scene_, probes, 0, probes.count, {}, met.surfels);
-    gatherer_.light(met.surfels, met.outgoing, seed_);
+    gatherer_.light(met.surfels, met.outgoing, seed_of_search());
     return near_light_spots(lights_.small, met.surfels, met.outgoing, near_reach * world_.seen_distance(), lights_.power);
 }
 

@@ -81,6 +81,7 @@ private:
     enum class Light { emission, direct };
     void sum_light(Light light, Buffer<float4>& irradiance);
     std::uint64_t next_seed();
+    std::uint64_t seed_of_search() const;
     void iterate(int orders, double tolerance);
     void close_series(const BounceSeries& series, const Buffer<float4>& last);
     void solve_rest(const Buffer<float4>& last, double tolerance);
@@ -90,7 +91,7 @@ private:
     std::vector<Spot> spots_among(const Buffer<float>& outgoing);
     void adopt(const std::vector<Spot>& found);
     std::vector<Spot> spots_ahead();
-    std::vector<Spot> portals();
+    std::vector<Spot> portals(const std::vector<Spot>& known);
     void add_world(const Surfels& surfels, const Viewers& viewers, Buffer<float>& radiance);
     std::vector<Spot> spots_near_lights();
     void sum_spots(Light light, Buffer<float4>& irradiance);
@@ -105,7 +106,7 @@ private:
     WorldSet world_;
     Gatherer gatherer_;
     GatherTeam team_;
-    std::vector<Spot> near_;  // before lights, of this world set
+    std::vector<Spot> ahead_;  // spots of this world set that were found before it gathered
     DeviceSpots spots_;
     bool looked_ = false;        // this world set has looked for spots
     Buffer<float4> shorter_;     // irradiance of the world set up to one order less, if orders are limited

@@ -122,6 +122,16 @@ SurfacePencils WorldSet::centres() const {
     return all;
 }
 
+float WorldSet::seen_albedo() const {
+    double sum = 0, count = 0;
+    for (const SeenPoints::Point& point : seen_.points())
+        if (point.albedo > 0) {
+            sum += static_cast<double>(point.albedo);
+            ++count;
+        }
+    return static_cast<float>(sum / std::max(count, 1.0));
+}
+
 double WorldSet::light_to_film() const {
     const std::vector<float>& read = shared_.read_by_film();
     const std::vector<float4> irradiance = pencils_.irradiance.read(0, read.size());

@@ -40,6 +40,8 @@ public:
     /// What seeds and pencils see from their centres, by which pencils are placed, and who sees it.
     const Surfels& seen_from_centres() const { return seen_surfels_; }
     SurfacePencils centres() const;
+    /// Of all that is seen so, the mean of the largest components.
+    float seen_albedo() const;
 
     /// After gather: what the pencils' texels see, their number for each pencil, and which pencils light them.
     const Surfels& surfels() const { return surfels_; }

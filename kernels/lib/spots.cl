@@ -1,4 +1,4 @@
-// Bright spots as a surface pencil sees them: spheres about places that reflect much of the light. Directions into their cones are drawn beside
+// Bright spots as a surface pencil sees them: spheres about places that reflect much of the light or that it comes through. Directions into their cones are drawn beside
 // those of the texels, and both are weighed by the balance heuristic (Veach 1997, 9.2).
 
 #include "shared/spot.h"

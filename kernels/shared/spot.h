@@ -1,4 +1,4 @@
-// Bright spots: places that reflect much of the light, as spheres: centre [scene units], w: radius.
+// Bright spots: places that reflect much of the light or that it comes through, as spheres: centre [scene units], w: radius.
 #pragma once
 
 #include "shared/types.h"

@@ -72,6 +72,13 @@ TEST(FindPortals, ALampIsOne) {
     EXPECT_NEAR(portals.front().emission, 0.5F, 1e-3F);
 }
 
+/// Rays that spots or portals are known for need no further ones.
+TEST(FindPortals, NoneWhereTheyAreKnown) {
+    const std::vector<LightRay> rays = rays_of_room(0.8F, 0.0F);
+    EXPECT_TRUE(find_portals(rays, 1, {{{0, 1.5F, 2.5F}, 0.6F, 1}}).empty());
+    EXPECT_FALSE(find_portals(rays, 1, {{{0, 1.5F, 4.5F}, 0.6F, 1}}).empty());
+}
+
 TEST(Spots, ShineWhereMuchIsEmitted) {
     DeviceSpots spots;
     EXPECT_FALSE(spots.shine());
