@@ -55,35 +55,25 @@ std::optional<glm::vec3> meeting(const LightRay& a, const LightRay& b) {
     return 0.5F * (a.origin + s * a.direction + b.origin + t * b.direction);
 }
 
-/// What there is to know of the rays of surfels.
-class SeenFields {
+/// Directions in which surfels were seen, of scenes whose surfels hold them.
+class SeenDirections {
 public:
-    SeenFields(const Surfels& seen, bool outgoing)
-        : count_(static_cast<std::size_t>(seen.count)),
-          places_(seen.data.read_rows(0, static_cast<std::size_t>(seen.capacity), SURFEL_NZ + 1, count_)) {
-        static_assert(SURFEL_X == 0 && SURFEL_NX == 3 && SURFEL_NZ == 5, "positions and normals are the first fields");
+    SeenDirections(const Surfels& seen, bool outgoing) : count_(static_cast<std::size_t>(seen.count)) {
         const auto capacity = static_cast<std::size_t>(seen.capacity);
-        if (outgoing) turned_ = seen.data.read_rows(SURFEL_OX * capacity, capacity, SURFEL_SHARE - SURFEL_OX + 1, count_);
+        if (outgoing) fields_ = seen.data.read_rows(SURFEL_OX * capacity, capacity, SURFEL_SHARE - SURFEL_OX + 1, count_);
     }
     /// Lobes have led the ray elsewhere.
     bool is_turned(std::size_t i) const {
-        return !turned_.empty() && turned_[static_cast<std::size_t>(SURFEL_SHARE - SURFEL_OX) * count_ + i] >= 0;
+        return !fields_.empty() && fields_[static_cast<std::size_t>(SURFEL_SHARE - SURFEL_OX) * count_ + i] >= 0;
     }
-    float distance(std::size_t i, const glm::vec3& origin) const {
-        const bool meets = glm::length2(vector(places_, SURFEL_NX, i)) > 0;
-        return meets ? glm::distance(vector(places_, SURFEL_X, i), origin) : std::numeric_limits<float>::infinity();
-    }
-    glm::vec3 direction(std::size_t i, const glm::vec3& origin) const {
-        return turned_.empty() ? glm::normalize(vector(places_, SURFEL_X, i) - origin) : -vector(turned_, 0, i);
+    /// `step`: from where the surfel was seen to it.
+    glm::vec3 of(std::size_t i, const glm::vec3& step) const {
+        return fields_.empty() ? glm::normalize(step) : -glm::vec3(fields_[i], fields_[count_ + i], fields_[2 * count_ + i]);
     }
 
 private:
-    glm::vec3 vector(const std::vector<float>& fields, std::size_t first, std::size_t i) const {
-        return {fields[first * count_ + i], fields[(first + 1) * count_ + i], fields[(first + 2) * count_ + i]};
-    }
-
     std::size_t count_;
-    std::vector<float> places_, turned_;
+    std::vector<float> fields_;
 };
 
 class PortalFinder {
@@ -183,21 +173,24 @@ std::vector<LightRay> some(const std::vector<LightRay>& rays) {
 
 }  // namespace
 
-std::vector<LightRay> light_rays(const Surfels& seen, const SurfacePencils& viewers, bool outgoing, const std::vector<float>& emission,
+std::vector<LightRay> light_rays(const SeenPoints& points, const Surfels& seen, bool outgoing, const std::vector<float>& emission,
                                  const std::vector<float>& light) {
-    const auto texels = static_cast<std::size_t>(viewers.texels());
-    const std::vector<SurfacePencil> pencils = viewers.data.read(0, static_cast<std::size_t>(viewers.count));
-    const SeenFields fields(seen, outgoing);
+    const SeenDirections directions(seen, outgoing);
+    const std::size_t texels = light.size() / points.pencils().size();
     std::vector<LightRay> rays;
-    for (std::size_t p = 0; p < pencils.size(); ++p) {
-        const auto first = light.begin() + static_cast<std::ptrdiff_t>(p * texels), end = first + static_cast<std::ptrdiff_t>(texels);
+    for (std::size_t begin = 0; begin + texels <= light.size(); begin += texels) {
+        const auto first = light.begin() + static_cast<std::ptrdiff_t>(begin), end = first + static_cast<std::ptrdiff_t>(texels);
         const float mean = std::accumulate(first, end, 0.0F) / static_cast<float>(texels);
         const float of_bright = std::accumulate(first, end, 0.0F, [&](float sum, float l) { return l > bright * mean ? sum + l : sum; });
         if (!(of_bright > least_light * mean * static_cast<float>(texels))) continue;
-        const glm::vec3 origin(pencils[p].position);
-        for (std::size_t i = p * texels; i < (p + 1) * texels; ++i)
-            if (light[i] > 0 && !fields.is_turned(i))
-                rays.push_back({origin, fields.direction(i, origin), fields.distance(i, origin), light[i] / mean, emission[i] / light[i]});
+        const glm::vec3 origin = points.viewer(begin);
+        for (std::size_t i = begin; i < begin + texels; ++i) {
+            if (!(light[i] > 0) || directions.is_turned(i)) continue;
+            const SeenPoints::Point& point = points.points()[i];
+            const glm::vec3 step = point.position - origin;
+            const float distance = glm::length2(point.normal) > 0 ? glm::length(step) : std::numeric_limits<float>::infinity();
+            rays.push_back({origin, directions.of(i, step), distance, light[i] / mean, emission[i] / light[i]});
+        }
     }
     return rays;
 }

@@ -4,8 +4,8 @@
 
 #include <vector>
 
+#include "surface/seen_points.h"
 #include "surface/spots.h"
-#include "surface/surface_pencils.h"
 
 namespace pencil {
 
@@ -17,9 +17,9 @@ struct LightRay {
     float emission;               // its share that is emitted there, not reflected
 };
 
-/// What the texels of viewers see; emission and light: what each surfel sends, emitted and in all (light_of); `outgoing`:
-/// surfels have directions (Features). Rays that lobes have turned are left out.
-std::vector<LightRay> light_rays(const Surfels& seen, const SurfacePencils& viewers, bool outgoing, const std::vector<float>& emission,
+/// What pencils see: `points`, which `seen` are on the device; emission and light: what each sends, emitted and in all (light_of); `outgoing`:
+/// surfels have directions (Features). Rays that lobes have turned are left out, and those of pencils that find their light well enough.
+std::vector<LightRay> light_rays(const SeenPoints& points, const Surfels& seen, bool outgoing, const std::vector<float>& emission,
                                  const std::vector<float>& light);
 
 /// Beside the spots that are known already. None if rays in all directions find the light well enough. `reach`: radius of the widest [scene units].

@@ -205,7 +205,7 @@ std::vector<Spot> SurfaceSolver::portals(const std::vector<Spot>& known) {
     emit_hemispheres(kernels_, scene_, seen, {centres, 0}, lights_.near_texel, radiance);
     const std::vector<float> emission = light_of(seen, radiance);
     gatherer_.light(seen, radiance, seed_of_search());
-    return find_portals(light_rays(seen, centres, kernels_.features().outgoing(), emission, light_of(seen, radiance)),
+    return find_portals(light_rays(world_.seen_points(), seen, kernels_.features().outgoing(), emission, light_of(seen, radiance)),
                         portal_reach * world_.seen_distance(), known);
 }
 

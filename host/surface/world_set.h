@@ -39,6 +39,7 @@ public:
 
     /// What seeds and pencils see from their centres, by which pencils are placed, and who sees it.
     const Surfels& seen_from_centres() const { return seen_surfels_; }
+    const SeenPoints& seen_points() const { return seen_; }
     SurfacePencils centres() const;
     /// Of all that is seen so, the mean of the largest components.
     float seen_albedo() const;
