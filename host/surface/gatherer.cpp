@@ -32,8 +32,10 @@ enum Draw : std::uint64_t {
     chains_of_guides
 };
 
-/// Pencils of shared keys draw by which part of their set they are in.
-std::uint64_t part_of(Keys keys, int first) { return keys == Keys::own ? 0 : static_cast<std::uint64_t>(first) << 8; }
+/// Who sees guided rays, where pencils have keys of their own.
+std::optional<Viewers> guides_of(const SurfacePencils& pencils, int first, Keys keys) {
+    return keys == Keys::own ? std::optional<Viewers>({pencils, first, SPOT_RAYS}) : std::nullopt;
+}
 
 uint seed_of(std::uint64_t seed, std::uint64_t draw) { return static_cast<uint>(hash64(seed + draw) >> 32); }
 
@@ -98,36 +100,33 @@ void Gatherer::emit_and_share(const GatherSource& source, const GatherTurn& turn
     if (!shared) emit();
 }
 
-Gatherer::Guided& Gatherer::guide(const DeviceSpots& spots, const GatherTurn& turn, const SurfacePencils& pencils, int first, int count,
-                                  Keys keys) {
-    Gathered& found = guided_.found;
-    reserve(found, count * SPOT_RAYS);
-    const auto capacity = static_cast<std::size_t>(found.surfels.capacity);
-    if (guided_.factors.size() < capacity) guided_.factors = Buffer<float>(kernels_.device(), capacity, "factors of guided rays");
-    guide_hemispheres(kernels_, scene_, pencils, first, count, spots, turn.points, found.surfels, guided_.factors, keys);
-    const std::optional<Viewers> viewers = keys == Keys::own ? std::optional<Viewers>({pencils, first, SPOT_RAYS}) : std::nullopt;
-    follow(found.surfels, seed_of(turn.seed + part_of(keys, first), chains_of_guides), viewers);
-    return guided_;
+void Gatherer::guide(const DeviceSpots& spots, const GatherTurn& turn, const SurfacePencils& pencils, int first, int count, Keys keys,
+                     Guided& guided) {
+    reserve(guided.found, count * SPOT_RAYS);
+    const auto capacity = static_cast<std::size_t>(guided.found.surfels.capacity);
+    if (guided.factors.size() < capacity) guided.factors = Buffer<float>(kernels_.device(), capacity, "factors of guided rays");
+    guide_hemispheres(kernels_, scene_, pencils, first, count, spots, turn.points, guided.found.surfels, guided.factors, keys);
+    follow(guided.found.surfels, seed_of(turn.seed, chains_of_guides), guides_of(pencils, first, keys));
 }
 
-void Gatherer::light_guided(const GatherTurn& turn, const SurfacePencils& pencils, int first, Keys keys) {
-    const std::optional<Viewers> viewers = keys == Keys::own ? std::optional<Viewers>({pencils, first, SPOT_RAYS}) : std::nullopt;
-    light(guided_.found.surfels, guided_.found.outgoing, seed_of(turn.seed + part_of(keys, first), lights_of_guides), viewers);
+void Gatherer::light_guided(const GatherTurn& turn, const SurfacePencils& pencils, int first, Keys keys, Guided& guided) {
+    light(guided.found.surfels, guided.found.outgoing, seed_of(turn.seed, lights_of_guides), guides_of(pencils, first, keys));
 }
 
-void Gatherer::emit_guided(const SurfacePencils& pencils, int first, const Buffer<float>& near_area) {
-    emit_hemispheres(kernels_, scene_, guided_.found.surfels, {pencils, first, SPOT_RAYS}, near_area, guided_.found.outgoing);
+void Gatherer::emit_guided(const SurfacePencils& pencils, int first, const Buffer<float>& near_area, Guided& guided) {
+    emit_hemispheres(kernels_, scene_, guided.found.surfels, {pencils, first, SPOT_RAYS}, near_area, guided.found.outgoing);
 }
 
 /// Adds what rays of these pencils towards bright spots find reflected.
 void Gatherer::gather_spots(const GatherSource& source, const GatherTurn& turn, SurfacePencils& pencils, int first, int count,
                             const Reading& reading, const Buffer<float>& near_area) {
-    auto& [surfels, outgoing, contact] = guide(*source.spots, turn, pencils, first, count, Keys::own).found;
-    light_guided(turn, pencils, first, Keys::own);
-    if (source.spots->shine()) emit_guided(pencils, first, near_area);
+    guide(*source.spots, turn, pencils, first, count, Keys::own, guided_);
+    auto& [surfels, outgoing, contact] = guided_.found;
+    light_guided(turn, pencils, first, Keys::own, guided_);
+    if (source.spots->shine()) emit_guided(pencils, first, near_area, guided_);
     project_surface_pencils(kernels_, scene_, surfels, source.world, reading.irradiance, source.grid, {pencils, first, SPOT_RAYS},
                             reading.nearness, outgoing, contact);
-    sum_guides(kernels_, outgoing, surfels.capacity, guided_.factors, first, count, pencils.irradiance);
+    sum_guides(kernels_, outgoing, surfels.capacity, guided_.factors, SPOT_RAYS, first, count, pencils.irradiance);
 }
 
 /// Light of order 2 and more to contacts among what these pencils see: one order more than the world set has in store for its readers.

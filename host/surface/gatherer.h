@@ -61,11 +61,12 @@ public:
         Gathered found;
         Buffer<float> factors;
     };
-    Guided& guide(const DeviceSpots& spots, const GatherTurn& turn, const SurfacePencils& pencils, int first, int count, Keys keys);
-    /// Adds to what the last of them found reflected light of the light samples,
-    void light_guided(const GatherTurn& turn, const SurfacePencils& pencils, int first, Keys keys);
+    void guide(const DeviceSpots& spots, const GatherTurn& turn, const SurfacePencils& pencils, int first, int count, Keys keys,
+               Guided& guided);
+    /// Adds to what they found reflected light of the light samples,
+    void light_guided(const GatherTurn& turn, const SurfacePencils& pencils, int first, Keys keys, Guided& guided);
     /// and emission.
-    void emit_guided(const SurfacePencils& pencils, int first, const Buffer<float>& near_area);
+    void emit_guided(const SurfacePencils& pencils, int first, const Buffer<float>& near_area, Guided& guided);
 
 private:
     void gather_chunk(const GatherSource& source, const GatherTurn& turn, SurfacePencils& pencils, int first, int count);

@@ -11,11 +11,6 @@
 #include "surface/emit_hemispheres.h"
 #include "surface/follow_surfels.h"
 #include "surface/krylov.h"
-#include "surface/near_lights.h"
-#include "surface/portals.h"
-#include "surface/sample_lights.h"
-#include "surface/share_hemispheres.h"
-#include "surface/sum_guides.h"
 #include "surface/sum_hemispheres.h"
 #include "surface/transport_irradiance.h"
 
@@ -31,15 +26,6 @@ constexpr int most_steps = 16;
 constexpr int most_iterations = 256;
 /// Bounces from which on the series is geometric enough to stop: light of the samples joins in the first, and ratios need two more.
 constexpr int least_iterations = 3;
-/// Bright points this share of the distance from which things are seen apart may be one spot: wide cones cost little where light is concentrated, and
-/// hold what is bright about it.
-constexpr float spot_reach = 0.4F;
-/// What a light lights as far away from it as this share of the distance from which things are seen may be too small for texels.
-constexpr float near_reach = 0.25F;
-/// The widest portal, in the same terms.
-constexpr float portal_reach = 0.4F;
-/// Where what is seen reflects more, rays that leave through a portal and rays that go on have to add up to all of them, which those of texels alone do.
-constexpr float most_albedo = 0.95F;
 /// The world's bounces stop at this share of the tolerance of the image.
 constexpr double tolerance_share = 0.1;
 
@@ -61,6 +47,8 @@ SurfaceSolver::SurfaceSolver(Kernels& kernels, const DeviceScene& scene, Surface
       seed_(seed),
       world_(kernels, scene, quality.pencils, seed_, lights_.drawn),
       gatherer_(kernels, scene, lights_, quality.light_draws, chunk_surfels >> quality.thrift),
+      search_(kernels, scene, lights_, world_, gatherer_),
+      guides_(kernels),
       team_(kernels, helpers) {}
 
 SurfaceSolver::Course SurfaceSolver::course() const { return {gathers_, looked_, spots_.found}; }
@@ -84,10 +72,11 @@ void SurfaceSolver::solve(int map, int orders, double tolerance, std::uint64_t s
     contacts_ = !limited_ || orders >= 3;
     seed_ = static_cast<uint>(hash64(seed) >> 32);
     if (!direct_ || world_.pencils().count == 0) return inform_team();  // film pencils see no reflections
-    if (!looked_)
-        clock_.run(
-            "bright spots", [&] { adopt(ahead_ = spots_ahead()); });
-    clock_.run("world pencils", [&] { world_.gather(map, seed); });
+    if (!looked_) clock_.run("bright spots", [&] { adopt(search_.ahead(spots_.found, seed_of_search())); });
+    clock_.run("world pencils", [&] {
+        world_.gather(map, seed);
+        guides_.trace(gatherer_, spots_, spots_.count > 0 ? next_seed() : 0, world_);
+    });
     clock_.run("world bounces", [&] {
         iterate(orders, tolerance);
         if (!looked_) look_for_spots();  // so few orders that the world set needs no light of the samples
@@ -109,22 +98,14 @@ Buffer<float> SurfaceSolver::radiance(const Surfels& chains) {
     Buffer<float> radiance = surfel_rgb(kernels_.device(), chains.capacity, "radiance of chains");
     emit_chains(kernels_, scene_, chains, radiance);
     if (direct_) Gatherer(kernels_, scene_, lights_, chain_draws, 0).light(chains, radiance, next_seed() >> 32);
-    add_world(chains, {world_.pencils(), 0}, radiance);
+    world_.add_reflected(chains, {world_.pencils(), 0}, radiance);
     return radiance;
-}
-
-/// Adds what surfels reflect of the world set's irradiance.
-void SurfaceSolver::add_world(const Surfels& surfels, const Viewers& viewers, Buffer<float>& radiance) {
-    const SurfacePencils& world = world_.pencils();
-    if (world.count == 0) return;
-    Buffer<unsigned char> unused(kernels_.device(), static_cast<std::size_t>(surfels.capacity), "no contacts");
-    project_surface_pencils(kernels_, scene_, surfels, world, world.irradiance, world_.grid(), viewers, 0, radiance, unused);
 }
 
 void SurfaceSolver::light_field(Surfels& seen, const Viewers& viewers, std::uint64_t seed, Buffer<float>& radiance) {
     gatherer_.follow(seen, hash64(seed + 1) >> 32, viewers);
     gatherer_.light(seen, radiance, hash64(seed + 2) >> 32, viewers);
-    add_world(seen, viewers, radiance);
+    world_.add_reflected(seen, viewers, radiance);
     if (!kernels_.features().lobes) return;
     Buffer<float> not_seen(kernels_.device(), lights_.near_texel.size(), "emission that is not seen without lobes");
     not_seen.fill_zero();
@@ -163,7 +144,7 @@ void SurfaceSolver::look_for_spots() {
     if (lights_.samples.maps.count == 0) return;
     Buffer<float> outgoing = surfel_rgb(kernels_.device(), world_.surfels().capacity, "radiance to the world set");
     gatherer_.light(world_.surfels(), outgoing, seed_);
-    adopt(spots_among(outgoing));
+    adopt(search_.among_seen(outgoing));
 }
 
 /// Spots of this world set, and those of others that it has missed.
@@ -175,51 +156,6 @@ void SurfaceSolver::adopt(const std::vector<Spot>& found) {
     know(all);
 }
 
-/// Among what the world set sees, which sends `outgoing`, and near lights.
-std::vector<Spot> SurfaceSolver::spots_among(const Buffer<float>& outgoing) {
-    std::vector<Spot> spots = ahead_;
-    const auto known = [&](const Spot& found) {
-        return std::any_of(spots.begin(), spots.end(), [&](const Spot& s) { return holds(s, found.centre); });
-    };
-    std::vector<Spot> found = find_spots(world_.surfels(), outgoing, spot_reach * world_.seen_distance());
-    found.erase(std::remove_if(found.begin(), found.end(), known), found.end());
-    spots.insert(spots.end(), found.begin(), found.end());
-    return spots;
-}
-
-/// Spots that are found before the world set gathers, by other rays than its own, so that they serve the first gather, too.
-std::vector<Spot> SurfaceSolver::spots_ahead() {
-    std::vector<Spot> spots = spots_near_lights(), known = spots_.found;
-    known.insert(known.end(), spots.begin(), spots.end());
-    const std::vector<Spot> found = portals(known);
-    spots.insert(spots.end(), found.begin(), found.end());
-    return spots;
-}
-
-/// Among what pencils see from their centres.
-std::vector<Spot> SurfaceSolver::portals(const std::vector<Spot>& known) {
-    const Surfels& seen = world_.seen_from_centres();
-    if (seen.count == 0 || world_.seen_albedo() > most_albedo) return {};
-    const SurfacePencils centres = world_.centres();
-    Buffer<float> radiance = surfel_rgb(kernels_.device(), seen.capacity, "light to centres");
-    emit_hemispheres(kernels_, scene_, seen, {centres, 0}, lights_.near_texel, radiance);
-    const std::vector<float> emission = light_of(seen, radiance);
-    gatherer_.light(seen, radiance, seed_of_search());
-    return find_portals(light_rays(world_.seen_points(), seen, kernels_.features().outgoing(), emission, light_of(seen, radiance)),
-                        portal_reach * world_.seen_distance(), known);
-}
-
-/// Where lights stand too close before surfaces for texels to find what they light.
-std::vector<Spot> SurfaceSolver::spots_near_lights() {
-    if (lights_.small.empty()) return {};
-    const SurfacePencils probes = probes_of(kernels_.device(), lights_.small);
-    Gathered met;
-    gatherer_.reserve(met, probes.count * probes.texels());
-    trace_hemispheres(kernels_, scene_, probes, 0, probes.count, {}, met.surfels);
-    gatherer_.light(met.surfels, met.outgoing, seed_of_search());
-    return near_light_spots(lights_.small, met.surfels, met.outgoing, near_reach * world_.seen_distance(), lights_.power);
-}
-
 /// Irradiance of all pencils of the world set from emitters near them, or from reflected light of the light samples.
 void SurfaceSolver::sum_light(Light light, Buffer<float4>& irradiance) {
     const SurfacePencils& pencils = world_.pencils();
@@ -229,41 +165,16 @@ void SurfaceSolver::sum_light(Light light, Buffer<float4>& irradiance) {
     else
         gatherer_.light(world_.surfels(), outgoing, seed_);
     // Texels in which spots are found are not to count less where they found them: only the next ones share them with rays.
-    const bool guided = light == Light::emission ? spots_.shine() : spots_.count > 0, looks = light == Light::direct && !looked_;
+    const bool guided = light == Light::emission ? guides_.shine() : guides_.any(), looks = light == Light::direct && !looked_;
     std::vector<Spot> found;
-    if (looks) found = spots_among(outgoing);
-    if (guided)
-        share_hemispheres(kernels_, world_.starts(), 0, world_.starts().count, spots_, world_.points(), outgoing, world_.surfels().capacity,
-                          world_.map());
+    if (looks) found = search_.among_seen(outgoing);
+    if (guided) guides_.share(world_, outgoing);
     sum_hemispheres(kernels_, outgoing, world_.surfels().capacity, 0, 0, pencils.count, world_.map(), irradiance);
-    if (guided) sum_spots(light, irradiance);
+    if (guided && light == Light::emission) guides_.add_emission(gatherer_, lights_.near_texel, world_, irradiance);
+    if (guided && light == Light::direct) guides_.add_light(gatherer_, world_, irradiance);
     if (!looks) return;
     looked_ = true;
     adopt(found);
-}
-
-/// Adds what the world set sees of bright spots: rays from where its texels look, whose mean is a pencil's.
-void SurfaceSolver::sum_spots(Light light, Buffer<float4>& irradiance) {
-    const SurfacePencils& starts = world_.starts();
-    Buffer<float4> of_starts(kernels_.device(), static_cast<std::size_t>(starts.count), "light of bright spots");
-    of_starts.fill_zero();
-    const int chunk = (chunk_surfels >> quality_.thrift) / SPOT_RAYS;
-    const std::uint64_t seed = next_seed();
-    for (int at = 0; at < starts.count; at += chunk) {
-        const int part = std::min(chunk, starts.count - at);
-        const GatherTurn turn{world_.points(), Reach::own, seed};
-        const Gatherer::Guided& guided = gatherer_.guide(spots_, turn, starts, at, part, Keys::shared);
-        if (light == Light::emission)
-            gatherer_.emit_guided(starts, at, lights_.near_texel);
-        else
-            gatherer_.light_guided(turn, starts, at, Keys::shared);
-        sum_guides(kernels_, guided.found.outgoing, guided.found.surfels.capacity, guided.factors, at, part, of_starts);
-    }
-    const std::vector<float4> guided = of_starts.read();
-    const std::size_t pencils = static_cast<std::size_t>(world_.pencils().count), each = guided.size() / std::max<std::size_t>(pencils, 1);
-    std::vector<float4> sums = irradiance.read(0, pencils);
-    for (std::size_t i = 0; i < pencils * each; ++i) sums[i / each] += guided[i] / static_cast<float>(each);
-    irradiance.write(sums);
 }
 
 /// Step k is irradiance that the film's pencils reflect as order k + 2: it starts with emission, and reflected light of the

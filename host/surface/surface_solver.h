@@ -9,9 +9,9 @@
 #include "surface/follow_surfels.h"
 #include "surface/gather_team.h"
 #include "surface/gatherer.h"
-#include "surface/project_surface_pencils.h"
-#include "surface/spots.h"
+#include "surface/spot_search.h"
 #include "surface/surface_lights.h"
+#include "surface/world_guides.h"
 #include "surface/world_set.h"
 #include "util/archive.h"
 
@@ -88,13 +88,7 @@ private:
     GatherSource source() const;
     void inform_team();
     void look_for_spots();
-    std::vector<Spot> spots_among(const Buffer<float>& outgoing);
     void adopt(const std::vector<Spot>& found);
-    std::vector<Spot> spots_ahead();
-    std::vector<Spot> portals(const std::vector<Spot>& known);
-    void add_world(const Surfels& surfels, const Viewers& viewers, Buffer<float>& radiance);
-    std::vector<Spot> spots_near_lights();
-    void sum_spots(Light light, Buffer<float4>& irradiance);
     bool has_spots() const;
 
     Kernels& kernels_;
@@ -105,8 +99,9 @@ private:
     uint seed_;
     WorldSet world_;
     Gatherer gatherer_;
+    SpotSearch search_;
+    WorldGuides guides_;
     GatherTeam team_;
-    std::vector<Spot> ahead_;  // spots of this world set that were found before it gathered
     DeviceSpots spots_;
     bool looked_ = false;        // this world set has looked for spots
     Buffer<float4> shorter_;     // irradiance of the world set up to one order less, if orders are limited

@@ -6,6 +6,7 @@
 #include "pencils/low_discrepancy.h"
 #include "surface/follow_surfels.h"
 #include "surface/measure_hemispheres.h"
+#include "surface/project_surface_pencils.h"
 
 namespace pencil {
 
@@ -130,6 +131,12 @@ float WorldSet::seen_albedo() const {
             ++count;
         }
     return static_cast<float>(sum / std::max(count, 1.0));
+}
+
+void WorldSet::add_reflected(const Surfels& surfels, const Viewers& viewers, Buffer<float>& radiance) const {
+    if (pencils_.count == 0) return;
+    Buffer<unsigned char> unused(kernels_.device(), static_cast<std::size_t>(surfels.capacity), "no contacts");
+    project_surface_pencils(kernels_, scene_, surfels, pencils_, pencils_.irradiance, grid_, viewers, 0, radiance, unused);
 }
 
 double WorldSet::light_to_film() const {

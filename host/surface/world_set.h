@@ -28,6 +28,9 @@ public:
     /// What all pencils see, each from some of the points that read it; other seeds, other points. Maps of `map` x `map` texels.
     void gather(int map, std::uint64_t seed);
 
+    /// Adds to radiance[3][capacity] [W m^-2 sr^-1] what surfels, seen by viewers, reflect of the pencils' irradiance.
+    void add_reflected(const Surfels& surfels, const Viewers& viewers, Buffer<float>& radiance) const;
+
     /// About how much light the film receives from all pencils, as they are lit now; in units of its own, the same until pencils are placed anew.
     double light_to_film() const;
     /// Of a gather.

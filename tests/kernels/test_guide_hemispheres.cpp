@@ -54,7 +54,7 @@ Irradiance irradiance(const std::vector<SurfacePencil>& placed, const std::vecto
         sum_hemispheres(kernels, radiance, seen.capacity, 0, 0, count, map_width, pencils.irradiance);
         if (spots.count > 0) {
             guide_hemispheres(kernels, on_device, pencils, 0, count, spots, points, guided, factors);
-            sum_guides(kernels, radiance_of(guided), guided.capacity, factors, 0, count, pencils.irradiance);
+            sum_guides(kernels, radiance_of(guided), guided.capacity, factors, SPOT_RAYS, 0, count, pencils.irradiance);
         }
         const std::vector<float4> e = pencils.irradiance.read();
         for (std::size_t p = 0; p < placed.size(); ++p) {
@@ -107,6 +107,28 @@ TEST(GuideHemispheres, RaysBelowTheHorizonSeeNothing) {
         EXPECT_EQ(got[static_cast<std::size_t>(i)], 0.0F);
         EXPECT_LT(surfels.plane(i), 0);
     }
+}
+
+/// Pencils that look from several places receive the mean of what they would receive from each.
+TEST(GuideHemispheres, PlacesOfAPencilCountEvenly) {
+    constexpr int places = 4, count = 3, rays = places * SPOT_RAYS;
+    Kernels kernels = make_kernels();
+    Random random(3);
+    std::vector<float> radiance, factors;
+    for (int i = 0; i < 3 * count * rays; ++i) radiance.push_back(static_cast<float>(random.uniform(0, 5)));
+    for (int i = 0; i < count * rays; ++i) factors.push_back(static_cast<float>(random.uniform(0, 0.1)));
+    const Buffer<float> on_device(device(), radiance, "radiance"), of_rays(device(), factors, "factors");
+    Buffer<float4> irradiance(device(), std::vector<float4>(count, float4(1, 2, 3, 0)), "irradiance");
+    sum_guides(kernels, on_device, count * rays, of_rays, rays, 0, count, irradiance);
+    const std::vector<float4> got = irradiance.read();
+    for (int p = 0; p < count; ++p)
+        for (int c = 0; c < 3; ++c) {
+            double sum = 0;
+            for (int i = p * rays; i < (p + 1) * rays; ++i)
+                sum += static_cast<double>(factors[static_cast<std::size_t>(i)]) *
+                       static_cast<double>(radiance[static_cast<std::size_t>(c * count * rays + i)]);
+            EXPECT_NEAR(static_cast<double>(got[static_cast<std::size_t>(p)][c]), c + 1 + sum / places, 1e-4 * sum);
+        }
 }
 
 }  // namespace
