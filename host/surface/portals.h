@@ -29,8 +29,8 @@ struct PortalLengths {
     float widest;  // radius of a portal
 };
 
-/// Beside the spots that are known already. `rays`: so many of each pencil, one pencil after the other, nothing else. None if rays in all directions find the
-/// light well enough.
+/// Beside the spots that are known already. `rays`: so many of each pencil, one pencil after the other, nothing else. None if rays in all
+/// directions find the light well enough.
 std::vector<Spot> find_portals(const std::vector<LightRay>& rays, int of_each, const PortalLengths& lengths,
                                const std::vector<Spot>& known = {});
 
