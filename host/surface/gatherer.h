@@ -61,9 +61,10 @@ public:
         Gathered found;
         Buffer<float> factors;
     };
+    /// SPOT_RAYS of each of pencils first .. first + count, that find nothing sent yet.
     void guide(const DeviceSpots& spots, const GatherTurn& turn, const SurfacePencils& pencils, int first, int count, Keys keys,
                Guided& guided);
-    /// Adds to what they found reflected light of the light samples,
+    /// Adds to what they find reflected light of the light samples,
     void light_guided(const GatherTurn& turn, const SurfacePencils& pencils, int first, Keys keys, Guided& guided);
     /// and emission.
     void emit_guided(const SurfacePencils& pencils, int first, const Buffer<float>& near_area, Guided& guided);
