@@ -26,8 +26,8 @@ static inline CameraRay close_ray(int item, global const int *pixels, const Came
 ///          and its hierarchy
 /// out    : surfels: `each` for every sample of every pixel, in this order
 kernel void close_ups(global const int *pixels, int pixel_count, Camera camera, global const float2 *offsets, int sample_count,
-                      global const float2 *steps, int each, uint seed, global const BvhNode *nodes, global const int *leaves,
-                      SURFACES_PARAMETERS, global float *surfels, int capacity) {
+                      global const float2 *steps, int each, uint seed, HIERARCHY_PARAMETERS, SURFACES_PARAMETERS, global float *surfels,
+                      int capacity) {
     int first = get_global_id(0) * PENCIL_WIDTH, count = pixel_count * sample_count * each;
     if (first >= count) return;
     float o[3][PENCIL_WIDTH], d[3][PENCIL_WIDTH];

@@ -9,8 +9,7 @@
 /// in     : surfels of `capacity`; cops[pencil_count] (xyz, scene units); the scene and its hierarchy
 /// out    : seen[pencil_count]: the surfels that see it in front of them, of the first surfel_count
 kernel void find_viewers(global const float *surfels, int capacity, int surfel_count, global const float4 *cops, int pencil_count,
-                         global const BvhNode *nodes, global const int *leaves, global const Triangle *triangles,
-                         global const float4 *planes, global int *seen) {
+                         HIERARCHY_PARAMETERS, global const Triangle *triangles, global const float4 *planes, global int *seen) {
     int i = get_global_id(0);
     if (i >= pencil_count) return;
     float4 cop = cops[i];

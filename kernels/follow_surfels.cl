@@ -12,8 +12,8 @@
 APART static void follow_surfels_packet(int begin, global const float *from, int from_capacity, global const int *starts, int listed,
                                         int shared, int chain_count, global const SurfacePencil *viewers, int first_viewer, int texels,
                                         global const float *near_first, global const float *near_next, float sky_first, float sky_next,
-                                        uint seed, global const BvhNode *nodes, global const int *leaves, SURFACES_PARAMETERS,
-                                        global float *surfels, int capacity, int first, global float *uneven) {
+                                        uint seed, HIERARCHY_PARAMETERS, SURFACES_PARAMETERS, global float *surfels, int capacity,
+                                        int first, global float *uneven) {
     Surfaces scene = SURFACES;
     Chain chains[PENCIL_WIDTH];
     bool any_open = false;
@@ -96,9 +96,8 @@ APART static void follow_surfels_packet(int begin, global const float *from, int
 ///          of chains of `shared`: what they count beside even light, where that is 0 in the mean
 kernel void follow_surfels(global const float *from, int from_capacity, global const int *starts, int listed, int shared, int chain_count,
                            global const SurfacePencil *viewers, int first_viewer, int texels, global const float *near_first,
-                           global const float *near_next, float sky_first, float sky_next, uint seed, global const BvhNode *nodes,
-                           global const int *leaves, SURFACES_PARAMETERS, global float *surfels, int capacity, int first,
-                           global float *uneven) {
+                           global const float *near_next, float sky_first, float sky_next, uint seed, HIERARCHY_PARAMETERS,
+                           SURFACES_PARAMETERS, global float *surfels, int capacity, int first, global float *uneven) {
     int begin = get_global_id(0) * PENCIL_WIDTH;
     if (begin >= chain_count) return;
     follow_surfels_packet(begin, from, from_capacity, starts, listed, shared, chain_count, viewers, first_viewer, texels, near_first,

@@ -32,8 +32,8 @@ static inline float3 guided_direction(const SpotView *v, int number, uint key, u
 /// Of the packet at `first`, see below.
 APART static void guide_hemispheres_packet(int first, global const SurfacePencil *pencils, int first_pencil, int texels, int shared_keys,
                                            global const float4 *spots, global const float *weights, int spot_count, uint seed, uint2 shift,
-                                           global const BvhNode *nodes, global const int *leaves, SURFACES_PARAMETERS,
-                                           global float *surfels, int capacity, global float *factors) {
+                                           HIERARCHY_PARAMETERS, SURFACES_PARAMETERS, global float *surfels, int capacity,
+                                           global float *factors) {
     global const SurfacePencil *pencil = pencils + first_pencil + first / SPOT_RAYS;
     float4 origin = (float4)(pencil->position.xyz, 0.0f);
     SpotView view = view_spots(pencil, spots, weights, spot_count);
@@ -76,8 +76,7 @@ APART static void guide_hemispheres_packet(int first, global const SurfacePencil
 ///          of the pencil for radiance along the ray [sr], 0: the ray sees nothing
 kernel void guide_hemispheres(global const SurfacePencil *pencils, int first_pencil, int pencil_count, int texels, int shared_keys,
                               global const float4 *spots, global const float *weights, int spot_count, uint seed, uint2 shift,
-                              global const BvhNode *nodes, global const int *leaves, SURFACES_PARAMETERS, global float *surfels,
-                              int capacity, global float *factors) {
+                              HIERARCHY_PARAMETERS, SURFACES_PARAMETERS, global float *surfels, int capacity, global float *factors) {
     int first = get_global_id(0) * PENCIL_WIDTH;
     if (first >= pencil_count * SPOT_RAYS) return;
     guide_hemispheres_packet(first, pencils, first_pencil, texels, shared_keys, spots, weights, spot_count, seed, shift, nodes, leaves,

@@ -12,8 +12,8 @@
 
 /// Of the packet at `first`, see below.
 APART static void light_lobes_packet(int first, global const float *surfels, int capacity, global const int *chosen, int chosen_count,
-                                     global const LightSample *samples, int sample_count, global const BvhNode *nodes,
-                                     global const int *leaves, SURFACES_PARAMETERS, global float *outgoing) {
+                                     global const LightSample *samples, int sample_count, HIERARCHY_PARAMETERS, SURFACES_PARAMETERS,
+                                     global float *outgoing) {
     Surfaces scene = SURFACES;
     Vertex v[PENCIL_WIDTH];
     float3 sum[PENCIL_WIDTH];
@@ -65,8 +65,8 @@ APART static void light_lobes_packet(int first, global const float *surfels, int
 /// in     : surfels; chosen[chosen_count]: those with lobes; samples[sample_count]; the scene
 /// out    : outgoing[3][capacity] [W m^-2 sr^-1], added to
 kernel void light_lobes(global const float *surfels, int capacity, global const int *chosen, int chosen_count,
-                        global const LightSample *samples, int sample_count, global const BvhNode *nodes, global const int *leaves,
-                        SURFACES_PARAMETERS, global float *outgoing) {
+                        global const LightSample *samples, int sample_count, HIERARCHY_PARAMETERS, SURFACES_PARAMETERS,
+                        global float *outgoing) {
     int first = get_global_id(0) * PENCIL_WIDTH;
     if (first >= chosen_count) return;
     light_lobes_packet(first, surfels, capacity, chosen, chosen_count, samples, sample_count, nodes, leaves, SURFACES_ARGUMENTS, outgoing);

@@ -35,8 +35,7 @@ static inline void add_light_sample(const SurfelPacket *s, const VisibilityMap *
 APART static void light_surfels_packet(int first, global const float *surfels, int capacity, int surfel_count,
                                        global const LightSample *samples, int sample_count, global const float4 *cops,
                                        global const int2 *cells, global const int4 *groups, global const Hit *hits, SURFACES_PARAMETERS,
-                                       int n, global const BvhNode *nodes, global const int *leaves, global float *outgoing,
-                                       int accumulate) {
+                                       int n, HIERARCHY_PARAMETERS, global float *outgoing, int accumulate) {
     Surfaces scene = SURFACES;
     VisibilityMap map = {cells, groups, hits, triangles, planes, n, nodes, leaves, &scene};
     SurfelPacket packets[PENCIL_BLOCK];
@@ -62,8 +61,7 @@ APART static void light_surfels_packet(int first, global const float *surfels, i
 /// out    : outgoing[3][capacity] [W m^-2 sr^-1], added to if `accumulate`
 kernel void light_surfels(global const float *surfels, int capacity, int surfel_count, global const LightSample *samples, int sample_count,
                           global const float4 *cops, global const int2 *cells, global const int4 *groups, global const Hit *hits,
-                          SURFACES_PARAMETERS, int n, global const BvhNode *nodes, global const int *leaves, global float *outgoing,
-                          int accumulate) {
+                          SURFACES_PARAMETERS, int n, HIERARCHY_PARAMETERS, global float *outgoing, int accumulate) {
     int first = get_global_id(0) * PENCIL_BLOCK * PENCIL_WIDTH;
     if (first >= surfel_count) return;
     light_surfels_packet(first, surfels, capacity, surfel_count, samples, sample_count, cops, cells, groups, hits, SURFACES_ARGUMENTS, n,

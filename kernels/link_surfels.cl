@@ -8,8 +8,8 @@
 /// in     : surfels; pencils and their grid; the hierarchy of the scene, for pencils that stand in
 /// out    : links[surfel_count]: pencils, -1: none, as for surfels that reflect nothing; factors[surfel_count]: their weights
 kernel void link_surfels(global const float *surfels, int capacity, int surfel_count, global const SurfacePencil *pencils, PencilGrid grid,
-                         global const int *starts, global const float *entries, global const BvhNode *nodes, global const int *leaves,
-                         global const Triangle *triangles, global const float4 *planes, global int4 *links, global float4 *factors) {
+                         global const int *starts, global const float *entries, HIERARCHY_PARAMETERS, global const Triangle *triangles,
+                         global const float4 *planes, global int4 *links, global float4 *factors) {
     int i = get_global_id(0);
     if (i >= surfel_count) return;
     size_t c = capacity;

@@ -184,8 +184,8 @@ static inline LaneRays surfel_rays(const SurfelPacket *s, vuint key, int column,
 kernel void project_rays(global const float *surfels, int capacity, int first_surfel, int surfel_end, uint seed, uint first_key, int side,
                          int first_ray, int ray_end, global const float4 *cops, int pencil_count, global const float4 *radiance,
                          global const int2 *cells, global const int4 *groups, global const Hit *hits, global const Triangle *triangles,
-                         global const float4 *planes, int n, global const BvhNode *nodes, global const int *leaves, float4 low, float4 high,
-                         float volume, global float *rays, int ray_capacity) {
+                         global const float4 *planes, int n, HIERARCHY_PARAMETERS, float4 low, float4 high, float volume,
+                         global float *rays, int ray_capacity) {
     const int packets = max((surfel_end - first_surfel + PENCIL_WIDTH - 1) / PENCIL_WIDTH, 1), item = get_global_id(0);
     const int k = first_ray + item / packets, offset = item % packets * PENCIL_WIDTH, first = first_surfel + offset;
     if (k >= ray_end) return;

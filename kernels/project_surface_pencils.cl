@@ -19,9 +19,9 @@ static inline bool is_contact(global const SurfacePencil *pencils, const PencilL
 /// needs  : surfels that no pencil may stand for receive nothing
 kernel void project_surface_pencils(global const float *surfels, int capacity, int surfel_count, global const SurfacePencil *pencils,
                                     global const float4 *irradiance, PencilGrid grid, global const int *starts, global const float *entries,
-                                    global const BvhNode *nodes, global const int *leaves, global const Triangle *triangles,
-                                    global const float4 *planes, global const SurfacePencil *viewers, int first_viewer, int texels,
-                                    float nearness, global float *outgoing, global uchar *contact) {
+                                    HIERARCHY_PARAMETERS, global const Triangle *triangles, global const float4 *planes,
+                                    global const SurfacePencil *viewers, int first_viewer, int texels, float nearness,
+                                    global float *outgoing, global uchar *contact) {
     int i = get_global_id(0);
     if (i >= surfel_count) return;
     contact[i] = 0;

@@ -72,9 +72,8 @@ static inline void load_group(LightGroup *group, global const float *surfels, in
 /// Of the group at `first`, see below.
 APART static void sample_lights_group(int first, global const float *surfels, int capacity, int surfel_count,
                                       global const SurfacePencil *viewers, int first_viewer, int texels, global const LightSample *samples,
-                                      int sample_count, global const BvhNode *nodes, global const int *leaves, SURFACES_PARAMETERS,
-                                      float area_factor, int alone, int alone_step, int stride, int draws, uint seed,
-                                      global float *outgoing) {
+                                      int sample_count, HIERARCHY_PARAMETERS, SURFACES_PARAMETERS, float area_factor, int alone,
+                                      int alone_step, int stride, int draws, uint seed, global float *outgoing) {
     Surfaces scene = SURFACES;
     VisibilityMap map = {0, 0, 0, triangles, planes, 0, nodes, leaves, &scene};
     LightGroup group;
@@ -142,9 +141,9 @@ APART static void sample_lights_group(int first, global const float *surfels, in
 ///          group takes, repetitions included
 /// in/out : outgoing[3][capacity] [W m^-2 sr^-1], an unbiased estimate of light_surfels' result is added
 kernel void sample_lights(global const float *surfels, int capacity, int surfel_count, global const SurfacePencil *viewers,
-                          int first_viewer, int texels, global const LightSample *samples, int sample_count, global const BvhNode *nodes,
-                          global const int *leaves, SURFACES_PARAMETERS, float area_factor, int alone, int alone_step, int stride,
-                          int draws, uint seed, global float *outgoing) {
+                          int first_viewer, int texels, global const LightSample *samples, int sample_count, HIERARCHY_PARAMETERS,
+                          SURFACES_PARAMETERS, float area_factor, int alone, int alone_step, int stride, int draws, uint seed,
+                          global float *outgoing) {
     int first = get_global_id(0) * LIGHT_SURFELS;
     if (first >= surfel_count) return;
     sample_lights_group(first, surfels, capacity, surfel_count, viewers, first_viewer, texels, samples, sample_count, nodes, leaves,

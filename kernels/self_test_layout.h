@@ -45,6 +45,10 @@
     FIELD(Camera, width) FIELD(Camera, height) FIELD(Camera, near_clip) FIELD(Camera, far_clip)                                     \
     SIZE(BvhNode)                                                                                                                   \
     FIELD(BvhNode, low) FIELD(BvhNode, high) FIELD(BvhNode, child) FIELD(BvhNode, count)                                            \
+    SIZE(WideNode)                                                                                                                  \
+    FIELD(WideNode, low) FIELD(WideNode, high) FIELD(WideNode, child)                                                               \
+    SIZE(WideLeaf)                                                                                                                  \
+    FIELD(WideLeaf, corner) FIELD(WideLeaf, plane) FIELD(WideLeaf, plane_index) FIELD(WideLeaf, triangle)                           \
     SIZE(Cluster)                                                                                                                   \
     FIELD(Cluster, low) FIELD(Cluster, high)                                                                                        \
     SIZE(SurfacePencil)                                                                                                             \

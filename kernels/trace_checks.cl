@@ -172,8 +172,7 @@ static inline LaneRays rays_of_paths(const CheckPath *paths, const float3 *direc
 }
 
 /// Light from one sample of the emitters to each path's vertex.
-static inline void light_vertices(CheckPath *paths, const CheckLights *lights, const Surfaces *scene, global const BvhNode *nodes,
-                                  global const int *leaves) {
+static inline void light_vertices(CheckPath *paths, const CheckLights *lights, const Surfaces *scene, HIERARCHY_PARAMETERS) {
     float3 light[PENCIL_WIDTH], segments[PENCIL_WIDTH];
     float end[PENCIL_WIDTH];
 #pragma unroll 1
@@ -213,8 +212,8 @@ static inline bool go_on(CheckPath *p, int order, float3 *direction) {
 /// Of the packet at `first`, see below.
 APART static void trace_checks_packet(int first, global const float *surfels, int capacity, global const int *starts, int path_count,
                                       global const Emitter *emitters, int emitter_count, global const float *densities, float sky_density,
-                                      SKY_PARAMETERS, int orders, uint seed, global const BvhNode *nodes, global const int *leaves,
-                                      SURFACES_PARAMETERS, global float *radiance) {
+                                      SKY_PARAMETERS, int orders, uint seed, HIERARCHY_PARAMETERS, SURFACES_PARAMETERS,
+                                      global float *radiance) {
     CheckPath paths[PENCIL_WIDTH];
     CheckLights lights = {emitters, emitter_count, densities, sky_density, sky, sky_texels};
     Surfaces scene = SURFACES;
@@ -255,8 +254,7 @@ APART static void trace_checks_packet(int first, global const float *surfels, in
 ///          better what it emits
 kernel void trace_checks(global const float *surfels, int capacity, global const int *starts, int path_count,
                          global const Emitter *emitters, int emitter_count, global const float *densities, float sky_density,
-                         SKY_PARAMETERS, int orders, uint seed, global const BvhNode *nodes, global const int *leaves, SURFACES_PARAMETERS,
-                         global float *radiance) {
+                         SKY_PARAMETERS, int orders, uint seed, HIERARCHY_PARAMETERS, SURFACES_PARAMETERS, global float *radiance) {
     int first = get_global_id(0) * PENCIL_WIDTH;
     if (first >= path_count) return;
     trace_checks_packet(first, surfels, capacity, starts, path_count, emitters, emitter_count, densities, sky_density, SKY_ARGUMENTS,

@@ -38,8 +38,7 @@ static inline void octahedral_rays(global const SurfacePencil *pencil, int first
 
 /// Of the packet at `first`, see below.
 APART static void trace_field_packet(int first, global const SurfacePencil *pencils, int first_pencil, int n, uint seed, uint2 shift,
-                                     global const BvhNode *nodes, global const int *leaves, SURFACES_PARAMETERS, global float *surfels,
-                                     int capacity) {
+                                     HIERARCHY_PARAMETERS, SURFACES_PARAMETERS, global float *surfels, int capacity) {
     global const SurfacePencil *pencil = pencils + first_pencil + first / (n * n);
     float4 origin = (float4)(pencil->position.xyz, 0.0f);
     vfloat x, y, z;
@@ -64,7 +63,7 @@ APART static void trace_field_packet(int first, global const SurfacePencil *penc
 /// out    : surfels, structure of arrays of `capacity`, entry k of pencil first_pencil + p at p * n * n + k
 /// needs  : n a multiple of 4. A plane within PLANE_TOLERANCE of a centre is not seen from it.
 kernel void trace_field(global const SurfacePencil *pencils, int first_pencil, int pencil_count, int n, uint seed, uint2 shift,
-                        global const BvhNode *nodes, global const int *leaves, SURFACES_PARAMETERS, global float *surfels, int capacity) {
+                        HIERARCHY_PARAMETERS, SURFACES_PARAMETERS, global float *surfels, int capacity) {
     int first = get_global_id(0) * PENCIL_WIDTH;
     if (first >= pencil_count * n * n) return;
     trace_field_packet(first, pencils, first_pencil, n, seed, shift, nodes, leaves, SURFACES_ARGUMENTS, surfels, capacity);

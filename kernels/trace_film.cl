@@ -9,9 +9,8 @@
 #include "shared/geometry.h"
 
 /// The same where rays have origins of their own. They start at the near distance.
-static inline void trace_wide(global const BvhNode *nodes, global const int *leaves, global const Triangle *triangles,
-                              global const float4 *planes, const Camera *camera, global const float2 *offsets, int sample_count,
-                              int first_row, int first, int count, global Hit *hits) {
+static inline void trace_wide(HIERARCHY_PARAMETERS, global const Triangle *triangles, global const float4 *planes, const Camera *camera,
+                              global const float2 *offsets, int sample_count, int first_row, int first, int count, global Hit *hits) {
     float o[3][PENCIL_WIDTH], d[3][PENCIL_WIDTH];
     for (int l = 0; l < PENCIL_WIDTH; ++l) {
         int item = min(first + l, count - 1), pixel = item / sample_count, sample = item % sample_count;
@@ -33,8 +32,8 @@ static inline void trace_wide(global const BvhNode *nodes, global const int *lea
 /// in     : the scene and its hierarchy; camera; offsets[sample] in [0, 1)^2, the same for every pixel
 /// out    : as rasterize_film
 /// clip   : as rasterize_film
-kernel void trace_film(global const BvhNode *nodes, global const int *leaves, global const Triangle *triangles, global const float4 *planes,
-                       Camera camera, global const float2 *offsets, int sample_count, int first_row, int row_count, global Hit *hits) {
+kernel void trace_film(HIERARCHY_PARAMETERS, global const Triangle *triangles, global const float4 *planes, Camera camera,
+                       global const float2 *offsets, int sample_count, int first_row, int row_count, global Hit *hits) {
     int first = get_global_id(0) * PENCIL_WIDTH;
     int pixels = row_count * camera.width, count = pixels * sample_count;
     if (first >= count) return;

@@ -12,8 +12,8 @@
 
 /// Of the packet at `first`, see below.
 APART static void trace_hemispheres_packet(int first, global const SurfacePencil *pencils, int first_pencil, int pencil_count, int texels,
-                                           int n, uint seed, uint2 shift, global const BvhNode *nodes, global const int *leaves,
-                                           SURFACES_PARAMETERS, global float *surfels, int capacity, int first_surfel) {
+                                           int n, uint seed, uint2 shift, HIERARCHY_PARAMETERS, SURFACES_PARAMETERS, global float *surfels,
+                                           int capacity, int first_surfel) {
     int index = first_pencil + first / texels;
     global const SurfacePencil *pencil = pencils + index;
     float4 origin = (float4)(pencil->position.xyz, 0.0f);
@@ -49,8 +49,8 @@ APART static void trace_hemispheres_packet(int first, global const SurfacePencil
 /// out    : surfels, structure of arrays of `capacity`, entry k of pencil first_pencil + p at first_surfel + p * texels + k
 /// needs  : n a multiple of 4, texels a multiple of the blocks' size. Texels below the geometric horizon of a pencil see nothing.
 kernel void trace_hemispheres(global const SurfacePencil *pencils, int first_pencil, int pencil_count, int texels, int n, uint seed,
-                              uint2 shift, global const BvhNode *nodes, global const int *leaves, SURFACES_PARAMETERS,
-                              global float *surfels, int capacity, int first_surfel) {
+                              uint2 shift, HIERARCHY_PARAMETERS, SURFACES_PARAMETERS, global float *surfels, int capacity,
+                              int first_surfel) {
     int first = get_global_id(0) * PENCIL_WIDTH;
     if (first >= pencil_count * texels) return;
     trace_hemispheres_packet(first, pencils, first_pencil, pencil_count, texels, n, seed, shift, nodes, leaves, SURFACES_ARGUMENTS, surfels,

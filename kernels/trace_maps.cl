@@ -12,8 +12,8 @@
 /// in     : cops[first_tile + tile] (xyz, scene units); the scene and its hierarchy
 /// out    : hits, atlas layout, interior texels; disparity for a direction as long as map_texel_direction
 /// needs  : n a multiple of 4
-kernel void trace_maps(global const BvhNode *nodes, global const int *leaves, global const Triangle *triangles, global const float4 *planes,
-                       global const float4 *cops, int first_tile, int tile_count, int n, global Hit *hits) {
+kernel void trace_maps(HIERARCHY_PARAMETERS, global const Triangle *triangles, global const float4 *planes, global const float4 *cops,
+                       int first_tile, int tile_count, int n, global Hit *hits) {
     int packet = get_global_id(0);
     int packets = MAP_TEXELS(n) / PENCIL_WIDTH;
     if (packet >= tile_count * packets) return;

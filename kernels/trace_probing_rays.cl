@@ -12,8 +12,7 @@
 ///          hierarchy
 /// out    : surfels, structure of arrays of `capacity`: what each ray meets first; distances[count] [scene units], INFINITY if nothing
 kernel void trace_probing_rays(global const float4 *origins, global const float4 *directions, global const int *own, int count,
-                               global const BvhNode *nodes, global const int *leaves, SURFACES_PARAMETERS, global float *surfels,
-                               int capacity, global float *distances) {
+                               HIERARCHY_PARAMETERS, SURFACES_PARAMETERS, global float *surfels, int capacity, global float *distances) {
     int i = get_global_id(0);
     if (i >= count) return;
     float4 origin = (float4)(origins[i].xyz, 0.0f), direction = (float4)(directions[i].xyz, 0.0f);

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "cl/device.h"
+#include "util/environment.h"
+#include "util/error.h"
 
 namespace pencil {
 namespace {
@@ -14,6 +16,8 @@ namespace {
 constexpr std::size_t cpu_group = 8, gpu_group = 64;
 // Groups of 64 with 16 KiB of private memory each are what PoCL's thread stacks are known to bear.
 constexpr std::size_t most_cpu_group = 64, most_gpu_group = 1024;
+// At 15 000 triangles either form of hierarchy may be faster by a tenth or two; at 100 000 the wide one takes 0.7 of the time (docs/performance.md).
+constexpr std::size_t many_triangles = 20000;
 constexpr std::size_t most_kernels = 200, longest_name = 64;
 // Of two devices: more would be a file that was not measured.
 constexpr double most_cost = 1e3;
@@ -35,6 +39,13 @@ DeviceProfile generic_profile(const DeviceInfo& info) {
     profile.block = generic_block(profile.packet_width);
     profile.group = std::min(info.is_cpu ? cpu_group : gpu_group, std::max<std::size_t>(info.max_work_group, 1));
     return profile;
+}
+
+bool wants_wide_bvh(int packet_width, std::size_t triangles) {
+    const std::string text = environment("PENCIL_WIDE_BVH");
+    if (text.empty()) return packet_width > 1 && triangles >= many_triangles;
+    if (text != "0" && text != "1") throw UsageError("PENCIL_WIDE_BVH=" + text + " is not 0 or 1");
+    return text == "1";
 }
 
 std::size_t most_group(const DeviceInfo& info) {

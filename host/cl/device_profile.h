@@ -33,6 +33,10 @@ constexpr int most_lanes = 128;
 /// Packets per work-item of this width: enough on CPUs to reuse what the caches hold, one where work-items are narrow.
 constexpr int generic_block(int packet_width) { return packet_width > 1 ? 8 : 1; }
 
+/// True if so many triangles are met by single rays rather than by packets (shared/bvh.h): where they are many, the rays of a packet part soon.
+/// $PENCIL_WIDE_BVH, 0 or 1, decides instead; UsageError if it is something else.
+bool wants_wide_bvh(int packet_width, std::size_t triangles);
+
 /// By the device's properties alone. Width: native float width on CPUs of 4, 16 on wider ones, 1 elsewhere.
 DeviceProfile generic_profile(const DeviceInfo& info);
 

@@ -2,11 +2,26 @@
 
 namespace pencil {
 
-DeviceScene::DeviceScene(const std::shared_ptr<Device>& device, const FlatScene& flat, const Bvh& bvh, const Clusters& grouped)
+namespace {
+
+template <typename T>
+Buffer<std::byte> bytes_of(const std::shared_ptr<Device>& device, const std::vector<T>& data, const std::string& what) {
+    const auto* first = reinterpret_cast<const std::byte*>(data.data());
+    return {device, std::vector<std::byte>(first, first + data.size() * sizeof(T)), what};
+}
+
+}  // namespace
+
+Hierarchy build_hierarchy(const FlatScene& flat, bool wide) {
+    if (wide) return build_wide_bvh(flat.triangles, flat.planes);
+    return build_bvh(flat.triangles);
+}
+
+DeviceScene::DeviceScene(const std::shared_ptr<Device>& device, const FlatScene& flat, const Hierarchy& bvh, const Clusters& grouped)
     : triangle_count(static_cast<int>(flat.triangles.size())),
       shape_count(flat.shape_count),
       cluster_count(grouped.count),
-      has_bvh(!bvh.nodes.empty()),
+      has_bvh(std::visit([](const auto& form) { return !form.nodes.empty(); }, bvh)),
       triangles(device, flat.triangles, "triangles"),
       planes(device, flat.planes, "planes"),
       materials(device, flat.materials, "materials"),
@@ -17,8 +32,8 @@ DeviceScene::DeviceScene(const std::shared_ptr<Device>& device, const FlatScene&
       sky(device, std::vector<Sky>{flat.sky}, "environment"),
       sky_texels(device, flat.sky_texels, "texels of the environment"),
       to_film(device, flat.to_film, "film projection"),
-      nodes(device, bvh.nodes, "hierarchy"),
-      leaves(device, bvh.leaves, "leaves of the hierarchy"),
+      nodes(std::visit([&](const auto& form) { return bytes_of(device, form.nodes, "hierarchy"); }, bvh)),
+      leaves(std::visit([&](const auto& form) { return bytes_of(device, form.leaves, "leaves of the hierarchy"); }, bvh)),
       clusters(device, grouped.boxes, "clusters of triangles"),
       members(device, grouped.members, "members of clusters") {}
 

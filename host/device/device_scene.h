@@ -1,10 +1,13 @@
 // The flattened scene in device memory.
 #pragma once
 
+#include <cstddef>
 #include <tuple>
+#include <variant>
 
 #include "cl/buffer.h"
 #include "pencils/build_bvh.h"
+#include "pencils/build_wide_bvh.h"
 #include "pencils/cluster_triangles.h"
 #include "pencils/flat_scene.h"
 
@@ -15,9 +18,13 @@ struct Prepared {
     bool clusters = false, bvh = false;
 };
 
+/// Of the form that the kernels are built for (Features::wide_bvh).
+using Hierarchy = std::variant<Bvh, WideBvh>;
+Hierarchy build_hierarchy(const FlatScene& flat, bool wide);
+
 struct DeviceScene {
     /// `bvh`: empty where no kernel follows rays; `grouped`: empty where none rasterises by clusters.
-    DeviceScene(const std::shared_ptr<Device>& device, const FlatScene& flat, const Bvh& bvh = {}, const Clusters& grouped = {});
+    DeviceScene(const std::shared_ptr<Device>& device, const FlatScene& flat, const Hierarchy& bvh = {}, const Clusters& grouped = {});
 
     /// Arguments of kernels: `triangles, planes`; with `materials, normals, uvs, textures, texels` behind them; `sky,
     /// sky_texels`; `triangles, triangle_count, planes`; `nodes, leaves`.
@@ -44,8 +51,7 @@ struct DeviceScene {
     Buffer<Sky> sky;  // with its texels empty unless Features::sky
     Buffer<float4> sky_texels;
     Buffer<float4> to_film;
-    Buffer<BvhNode> nodes;
-    Buffer<int> leaves;
+    Buffer<std::byte> nodes, leaves;  // of the hierarchy, in either form
     Buffer<Cluster> clusters;
     Buffer<int> members;
 };

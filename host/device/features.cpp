@@ -53,6 +53,7 @@ Defines to_defines(const Features& features, int block) {
                     {"PENCIL_CELL_GRID", std::to_string(features.cell_grid)},
                     {"PENCIL_MAP_KIND", std::to_string(features.map_kind)},
                     {"PENCIL_ATLAS_IMAGE", features.atlas_image ? "1" : "0"},
+                    {"PENCIL_WIDE_BVH", features.wide_bvh ? "1" : "0"},
                     {"PENCIL_BVH", features.bvh ? "1" : "0"},
                     {"PENCIL_BLOCK", std::to_string(block)},
                     {"PENCIL_FILM_SAMPLES", std::to_string(features.film_samples)}};

@@ -36,6 +36,7 @@ struct Features {
     int cell_grid = 0;                     // root of the greatest number of directions that sample cells, 0 for weights that are none
     int map_kind = PENCIL_MAP_OCTAHEDRAL;  // of pencils and light samples (shared/map_kind.h)
     bool atlas_image = false;              // radiance maps are looked up as an image
+    bool wide_bvh = false;                 // the hierarchy has eight children per node (shared/bvh.h)
     bool bvh = false;                      // rays through the hierarchy decide visibility, geometry maps do not
 };
 

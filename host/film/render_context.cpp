@@ -14,6 +14,7 @@ Features complete_features(const FlatScene& flat, const RenderOptions& options, 
     features.weights = needs.weights;
     features.cell_grid = needs.cell_grid;
     features.map_kind = needs.map_kind;
+    features.wide_bvh = wants_wide_bvh(device.packet_width(), flat.triangles.size());
     features.atlas_image = needs.atlas && atlas_is_image(options.atlas, device, MapShape(needs.map_kind, options.map), options.pencils);
     return features;
 }
@@ -37,9 +38,10 @@ Prepared preparation(const FlatScene& flat, const MethodNeeds& needs, const Devi
 
 DeviceScene prepare_scene(RenderContext& context, const std::vector<std::shared_ptr<Device>>& helping) {
     context.kernels.build_ahead(sure_kernels(context));
-    Bvh bvh;
+    Hierarchy bvh;
     Clusters clusters;
-    if (context.prepared.bvh) context.clock.run("hierarchy", [&] { bvh = build_bvh(context.flat.triangles); });
+    if (context.prepared.bvh)
+        context.clock.run("hierarchy", [&] { bvh = build_hierarchy(context.flat, context.kernels.features().wide_bvh); });
     if (context.prepared.clusters) context.clock.run("clusters", [&] { clusters = cluster_triangles(context.flat.triangles); });
     for (const std::shared_ptr<Device>& helper : helping) try {
             context.copies.push_back(std::make_unique<DeviceCopy>(

@@ -32,6 +32,10 @@ std::vector<std::string> explain(const RenderContext& context) {
         lines.push_back(explain_paths(context.device_scene.triangle_count, context.needs.maps, MapSpeed(device), context.prepared,
                                       context.needs.map_kind));
     const Features& features = context.kernels.features();
+    if (context.prepared.bvh)
+        lines.push_back(fmt::format("hierarchy of {} triangles: {}", context.device_scene.triangle_count,
+                                    features.wide_bvh ? "eight children per node, rays that part go alone (many triangles)"
+                                                      : "two children per node, rays go in packets"));
     const auto left_out = [&](bool needed, const char* what) {
         if (!needed) lines.push_back(std::string("left out: ") + what);
     };

@@ -1,6 +1,7 @@
 // What packets of rays from one centre meet first, by a hierarchy of boxes. Coverage, disparity and ties are those of the rasteriser
 // (raster.cl): both see the same triangle through the same point.
 
+#include "lib/apart.cl"
 #include "lib/packet.cl"
 #include "lib/triangle.cl"
 #include "shared/bvh.h"
@@ -8,6 +9,10 @@
 
 /// Direction components nearer to 0 than this are taken as this where they divide.
 #define BVH_TINY 1e-20f
+
+#if PENCIL_WIDE_BVH
+#include "lib/wide_bvh.cl"
+#endif
 
 /// Rays from `origin`, and what they have met so far: disparity 1/t (0: nothing), for directions of any length.
 typedef struct RayPacket {
@@ -75,10 +80,82 @@ static inline void packet_meet_triangle(RayPacket *r, global const Triangle *t, 
     r->triangle = select(r->triangle, (vint)(index), meets);
 }
 
+#if PENCIL_WIDE_BVH
+/// Square of the least cosine between rays of a packet that mostly meet the same boxes.
+#define NARROW_COSINE2 0.998f
+
+/// True if the rays are faster together than each alone.
+static inline bool packet_is_narrow(const RayPacket *r) {
+    float x = LANE_FLOAT(r->x, 0), y = LANE_FLOAT(r->y, 0), z = LANE_FLOAT(r->z, 0);
+    vfloat along = r->x * x + r->y * y + r->z * z, squares = (r->x * r->x + r->y * r->y + r->z * r->z) * (x * x + y * y + z * z);
+    return PENCIL_WIDTH > 1 && !PACKET_ANY(PACKET_MASK(along * fabs(along) < NARROW_COSINE2 * squares));
+}
+
+/// Puts the children of a node that some ray meets on the stack, what the first lane enters first on top; the new depth.
+static inline int packet_push_children(const RayPacket *r, float4 origin, global const WideNode *node, int *stack, int depth) {
+    float entries[WIDE_CHILDREN];
+    int first = depth;
+    for (int k = 0; k < WIDE_CHILDREN; ++k) {
+        float4 low = (float4)(node->low[0][k], node->low[1][k], node->low[2][k], 0.0f);
+        float4 high = (float4)(node->high[0][k], node->high[1][k], node->high[2][k], 0.0f);
+        vfloat entry;
+        if (!(low.x <= high.x) || !PACKET_ANY(packet_meets_box(r, low - origin, high - origin, &entry))) continue;
+        int at = depth++;
+        for (; at > first && entries[at - 1 - first] < LANE_FLOAT(entry, 0); --at) {
+            stack[at] = stack[at - 1];
+            entries[at - first] = entries[at - 1 - first];
+        }
+        stack[at] = node->child[k];
+        entries[at - first] = LANE_FLOAT(entry, 0);
+    }
+    return depth;
+}
+
+/// The rays together, see packet_trace.
+static inline void packet_trace_together(RayPacket *r, float4 origin, int own, float tolerance, HIERARCHY_PARAMETERS,
+                                         global const Triangle *triangles, global const float4 *planes) {
+    int stack[WIDE_STACK], depth = 0;
+    stack[depth++] = 0;
+    while (depth > 0) {
+        int next = stack[--depth];
+        if (next >= 0) {
+            depth = packet_push_children(r, origin, nodes + next, stack, depth);
+            continue;
+        }
+        global const WideLeaf *leaf = leaves + ~next;
+        for (int k = 0; k < WIDE_TRIANGLES && leaf->triangle[k] >= 0; ++k) {
+            int plane = leaf->plane_index[k];
+            if (plane != own) packet_meet_triangle(r, triangles + leaf->triangle[k], leaf->triangle[k], planes[plane], origin, tolerance);
+        }
+    }
+}
+#endif
+
 /// Follows the rays through the whole scene but for the plane `own` that they start on (-1: on none), and for planes within `tolerance` of
 /// the origin; 0: planes stop rays however near they are; below 0: planes of triangles that are seen edge-on do not.
-static inline void packet_trace(RayPacket *r, float4 origin, int own, float tolerance, global const BvhNode *nodes,
-                                global const int *leaves, global const Triangle *triangles, global const float4 *planes) {
+#if PENCIL_WIDE_BVH
+static inline void packet_trace(RayPacket *r, float4 origin, int own, float tolerance, HIERARCHY_PARAMETERS,
+                                global const Triangle *triangles, global const float4 *planes) {
+    if (packet_is_narrow(r)) return packet_trace_together(r, origin, own, tolerance, nodes, leaves, triangles, planes);
+    float disparity[PENCIL_WIDTH], nearest[PENCIL_WIDTH];
+    int triangle[PENCIL_WIDTH];
+#pragma unroll 1
+    for (int l = 0; l < PENCIL_WIDTH; ++l) {
+        WideRay ray = wide_ray(origin.x, origin.y, origin.z, LANE_FLOAT(r->x, l), LANE_FLOAT(r->y, l), LANE_FLOAT(r->z, l), own);
+        ray.tolerance = tolerance;
+        ray.most = r->most;
+        wide_trace(&ray, nodes, leaves);
+        disparity[l] = ray.disparity;
+        nearest[l] = ray.nearest;
+        triangle[l] = ray.triangle;
+    }
+    r->disparity = PACKET_LOAD(disparity);
+    r->nearest = PACKET_LOAD(nearest);
+    r->triangle = PACKET_LOAD(triangle);
+}
+#else
+static inline void packet_trace(RayPacket *r, float4 origin, int own, float tolerance, HIERARCHY_PARAMETERS,
+                                global const Triangle *triangles, global const float4 *planes) {
     int stack[BVH_MOST_LEVELS + 1];
     int depth = 0;
     stack[depth++] = 0;
@@ -102,3 +179,4 @@ static inline void packet_trace(RayPacket *r, float4 origin, int own, float tole
         if (meets[1 - far]) stack[depth++] = node->child[1 - far];
     }
 }
+#endif

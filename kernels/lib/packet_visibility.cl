@@ -122,30 +122,76 @@ static inline vfloat share_along(const SurfelPacket *s, const VisibilityMap *map
     return rays_share(&rays, open, map->scene, map->nodes, map->leaves, map->triangles, map->planes);
 }
 
+/// Those of `open` that a triangle hides from `cop`.
+static inline int hidden_by(const SurfelPacket *s, const VisibilityMap *map, int index, float4 cop, int open) {
+    global const Triangle *triangle = map->triangles + index;
+    float4 plane = map->planes[triangle->plane];
+    float ahead = plane_ahead(plane, cop);
+    int behind = fabs(ahead) < PLANE_TOLERANCE ? 0 : open & packet_beyond(s, triangle->plane, plane, ahead);
+    return behind ? behind & packet_meets_triangle(s, triangle, cop, ahead > 0.0f ? 1.0f : -1.0f) : 0;
+}
+
+#if PENCIL_WIDE_BVH
+/// Those of `open` that are seen from `cop`, each by a ray alone.
+static inline int settle_each(const SurfelPacket *s, const VisibilityMap *map, float4 cop, int open) {
+    for (int rest = open; rest; rest &= rest - 1) {
+        int l = LOWEST_LANE(rest);
+        float4 x = surfel_position(s, l);
+        WideRay ray = wide_ray(cop.x, cop.y, cop.z, x.x - cop.x, x.y - cop.y, x.z - cop.z, LANE_INT(s->plane, l));
+        ray.tolerance = PLANE_TOLERANCE;
+        ray.nearest = 1.0f;
+        ray.any = ray.segment = true;
+        ray.end[0] = x.x;
+        ray.end[1] = x.y;
+        ray.end[2] = x.z;
+        ray.beyond = SHADOW_TOLERANCE;
+        wide_trace(&ray, map->nodes, map->leaves);
+        if (ray.triangle >= 0) open &= ~(1 << l);
+    }
+    return open;
+}
+#endif
+
+/// The same by rays that stay together.
+static inline int settle_together(const SurfelPacket *s, const VisibilityMap *map, RayPacket *rays, float4 cop, int open) {
+#if PENCIL_WIDE_BVH
+    int stack[WIDE_STACK], depth = 0;
+    stack[depth++] = 0;
+    while (depth > 0 && open) {
+        int next = stack[--depth];
+        rays->nearest = select((vfloat)(-1.0f), (vfloat)(1.0f), PACKET_FROM_BITS(open));
+        if (next >= 0) {
+            depth = packet_push_children(rays, cop, map->nodes + next, stack, depth);
+            continue;
+        }
+        global const WideLeaf *leaf = map->leaves + ~next;
+        for (int k = 0; k < WIDE_TRIANGLES && leaf->triangle[k] >= 0; ++k) open &= ~hidden_by(s, map, leaf->triangle[k], cop, open);
+    }
+#else
+    int stack[BVH_MOST_LEVELS + 1], depth = 0;
+    stack[depth++] = 0;
+    while (depth > 0 && open) {
+        global const BvhNode *node = map->nodes + stack[--depth];
+        rays->nearest = select((vfloat)(-1.0f), (vfloat)(1.0f), PACKET_FROM_BITS(open));
+        for (int k = 0; k < 2; ++k) {
+            vfloat entry;
+            if (node->child[k] < 0 || !PACKET_ANY(packet_meets_box(rays, node->low[k] - cop, node->high[k] - cop, &entry))) continue;
+            if (node->count[k] == 0) stack[depth++] = node->child[k];
+            for (int i = node->child[k]; i < node->child[k] + node->count[k]; ++i) open &= ~hidden_by(s, map, map->leaves[i], cop, open);
+        }
+    }
+#endif
+    return open;
+}
+
 /// Those of `open` that are seen from `cop`, by rays through the hierarchy of the scene.
 static inline int settle_by_rays(const SurfelPacket *s, const VisibilityMap *map, float4 cop, int open) {
     if (open && centre_is_far(s, cop)) return PACKET_BITS(PACKET_MASK(share_from_surfels(s, map, cop, open) > 0.0f));
     RayPacket rays = ray_packet(s->x - cop.x, s->y - cop.y, s->z - cop.z);
-    int stack[BVH_MOST_LEVELS + 1];
-    int depth = 0;
-    stack[depth++] = 0;
-    while (depth > 0 && open) {
-        global const BvhNode *node = map->nodes + stack[--depth];
-        rays.nearest = select((vfloat)(-1.0f), (vfloat)(1.0f), PACKET_FROM_BITS(open));
-        for (int k = 0; k < 2; ++k) {
-            vfloat entry;
-            if (node->child[k] < 0 || !PACKET_ANY(packet_meets_box(&rays, node->low[k] - cop, node->high[k] - cop, &entry))) continue;
-            if (node->count[k] == 0) stack[depth++] = node->child[k];
-            for (int i = node->child[k]; i < node->child[k] + node->count[k]; ++i) {
-                global const Triangle *triangle = map->triangles + map->leaves[i];
-                float4 plane = map->planes[triangle->plane];
-                float ahead = plane_ahead(plane, cop);
-                int behind = fabs(ahead) < PLANE_TOLERANCE ? 0 : open & packet_beyond(s, triangle->plane, plane, ahead);
-                if (behind) open &= ~(behind & packet_meets_triangle(s, triangle, cop, ahead > 0.0f ? 1.0f : -1.0f));
-            }
-        }
-    }
-    return open;
+#if PENCIL_WIDE_BVH
+    if (!packet_is_narrow(&rays)) return settle_each(s, map, cop, open);
+#endif
+    return settle_together(s, map, &rays, cop, open);
 }
 
 /// Those of `open` that are seen although neither their cells nor a plane settle it, by rules 1 to 3 of visibility.cl.

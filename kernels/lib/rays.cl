@@ -67,8 +67,30 @@ static inline void lanes_meet_triangle(LaneRays *r, global const Triangle *t, in
 }
 
 /// Follows the rays to the nearest triangles, or, with `any`, until each open lane has met one.
-static inline void lanes_trace(LaneRays *r, bool any, global const BvhNode *nodes, global const int *leaves,
-                               global const Triangle *triangles, global const float4 *planes) {
+#if PENCIL_WIDE_BVH
+static inline void lanes_trace(LaneRays *r, bool any, HIERARCHY_PARAMETERS, global const Triangle *triangles, global const float4 *planes) {
+    float nearest[PENCIL_WIDTH];
+    int triangle[PENCIL_WIDTH];
+#pragma unroll 1
+    for (int l = 0; l < PENCIL_WIDTH; ++l) {
+        nearest[l] = LANE_FLOAT(r->nearest, l);
+        triangle[l] = LANE_INT(r->triangle, l);
+        if (nearest[l] < 0.0f) continue;
+        WideRay ray = wide_ray(LANE_FLOAT(r->ox, l), LANE_FLOAT(r->oy, l), LANE_FLOAT(r->oz, l), LANE_FLOAT(r->x, l), LANE_FLOAT(r->y, l),
+                               LANE_FLOAT(r->z, l), LANE_INT(r->own, l));
+        ray.tolerance = POSITION_ERROR * fmax(fabs(ray.origin[0]), fmax(fabs(ray.origin[1]), fabs(ray.origin[2])));
+        ray.nearest = nearest[l];
+        ray.disparity = 1.0f / nearest[l];
+        ray.any = any;
+        wide_trace(&ray, nodes, leaves);
+        nearest[l] = any && ray.triangle >= 0 ? -1.0f : ray.nearest;
+        triangle[l] = ray.triangle;
+    }
+    r->nearest = PACKET_LOAD(nearest);
+    r->triangle = PACKET_LOAD(triangle);
+}
+#else
+static inline void lanes_trace(LaneRays *r, bool any, HIERARCHY_PARAMETERS, global const Triangle *triangles, global const float4 *planes) {
     int stack[BVH_MOST_LEVELS + 1];
     int depth = 0;
     stack[depth++] = 0;
@@ -91,3 +113,4 @@ static inline void lanes_trace(LaneRays *r, bool any, global const BvhNode *node
         if (meets[1 - far]) stack[depth++] = node->child[1 - far];
     }
 }
+#endif

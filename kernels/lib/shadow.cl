@@ -40,7 +40,7 @@ static inline float straight_share(const Surfaces *s, int triangle, float3 origi
 }
 
 /// The share of light that open rays let through to their ends; 0 for the others.
-static inline vfloat lanes_share(LaneRays *r, const Surfaces *s, global const BvhNode *nodes, global const int *leaves) {
+static inline vfloat lanes_share(LaneRays *r, const Surfaces *s, HIERARCHY_PARAMETERS) {
     int open = PACKET_BITS(PACKET_MASK(r->nearest > 0.0f));
     float share[PENCIL_WIDTH];
     for (int l = 0; l < PENCIL_WIDTH; ++l) share[l] = open >> l & 1 ? 1.0f : 0.0f;
@@ -78,8 +78,8 @@ static inline vfloat lanes_share(LaneRays *r, const Surfaces *s, global const Bv
 #endif
 
 /// The share of light that rays of the lanes `open` let through to their ends: 1 or 0 where no material is clear; `scene` is looked at only there.
-static inline vfloat rays_share(LaneRays *r, int open, const Surfaces *scene, global const BvhNode *nodes, global const int *leaves,
-                                global const Triangle *triangles, global const float4 *planes) {
+static inline vfloat rays_share(LaneRays *r, int open, const Surfaces *scene, HIERARCHY_PARAMETERS, global const Triangle *triangles,
+                                global const float4 *planes) {
 #if PENCIL_CLEAR
     return lanes_share(r, scene, nodes, leaves);
 #else

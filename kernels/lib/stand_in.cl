@@ -69,8 +69,7 @@ static inline float3 place_between(float3 x, float3 n, float3 y, float3 m) {
 
 /// The nearest of the candidates that sees, as x does, the place between them; -1 if none does.
 static inline int first_in_sight(global const SurfacePencil *pencils, const StandIns *found, float3 x, float3 n, float3 g, int plane,
-                                 global const BvhNode *nodes, global const int *leaves, global const Triangle *triangles,
-                                 global const float4 *planes) {
+                                 HIERARCHY_PARAMETERS, global const Triangle *triangles, global const float4 *planes) {
     // Rays 2 k and 2 k + 1: from x, and from candidate k.
     float o[3][2 * STAND_INS], d[3][2 * STAND_INS], end[2 * STAND_INS];
     int own[2 * STAND_INS], clear[2 * STAND_INS];
@@ -102,8 +101,8 @@ static inline int first_in_sight(global const SurfacePencil *pencils, const Stan
 /// The links of a point. Where none may be used, another stands in, if there is one: then index[1] is LINK_STANDS_IN. g: geometric normal;
 /// `plane`: that x lies on.
 APART static PencilLinks nearest_pencils(global const SurfacePencil *pencils, PencilGrid grid, global const int *starts,
-                                         global const float *entries, float3 x, float3 n, float3 g, int plane, global const BvhNode *nodes,
-                                         global const int *leaves, global const Triangle *triangles, global const float4 *planes) {
+                                         global const float *entries, float3 x, float3 n, float3 g, int plane, HIERARCHY_PARAMETERS,
+                                         global const Triangle *triangles, global const float4 *planes) {
     PencilLinks links = reaching_pencils(pencils, grid, starts, entries, x, n);
     if (links.index[0] >= 0) return links;
     StandIns found;

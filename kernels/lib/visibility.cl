@@ -21,8 +21,8 @@ typedef struct VisibilityMap {
     global const Triangle *triangles;
     global const float4 *planes;
     int n;
-    global const BvhNode *nodes;  // with PENCIL_BVH, and then only these and the scene
-    global const int *leaves;
+    global const HierarchyNode *nodes;  // with PENCIL_BVH, and then only these and the scene
+    global const HierarchyLeaf *leaves;
     const Surfaces *scene;
 } VisibilityMap;
 

@@ -21,11 +21,11 @@ inline std::vector<LightSample> random_lights(Random& random, int count) {
 
 /// A room with things in it, whose light samples are reached by rays.
 struct RayRoom {
-    RayRoom(std::uint32_t seed, int things, int light_count, int surfel_count = 768)
+    RayRoom(std::uint32_t seed, int things, int light_count, int surfel_count = 768, bool wide = false)
         : random(seed),
           scene(room_scene(seed + 1, things)),
-          kernels(device(), with_bvh()),
-          on_device(device(), scene.flat, build_bvh(scene.flat.triangles)),
+          kernels(device(), with_bvh(wide)),
+          on_device(device(), scene.flat, build_hierarchy(scene.flat, wide)),
           samples(random_lights(random, light_count)),
           lights(device(), samples, 0),
           surfels(gathered(kernels, on_device, random_centres(random, 3), 16, surfel_count)) {}
@@ -39,9 +39,10 @@ struct RayRoom {
     Surfels surfels;
 
 private:
-    static Features with_bvh() {
+    static Features with_bvh(bool wide) {
         Features features;
         features.bvh = true;
+        features.wide_bvh = wide;
         return features;
     }
 };

@@ -34,6 +34,8 @@ static_assert(sizeof(Hit) == 8);
 static_assert(sizeof(LightSample) == 48);
 static_assert(sizeof(Camera) == 144 && offsetof(Camera, shift_x) == 64 && offsetof(Camera, width) == 128);
 static_assert(sizeof(BvhNode) == 80 && offsetof(BvhNode, child) == 64);
+static_assert(sizeof(WideNode) == 224 && offsetof(WideNode, child) == 192);
+static_assert(sizeof(WideLeaf) == 240 && offsetof(WideLeaf, corner) == 96);
 static_assert(sizeof(Cluster) == 32);
 static_assert(sizeof(SurfacePencil) == 192 && offsetof(SurfacePencil, horizon_x) == 48 && offsetof(SurfacePencil, plane) == 176);
 static_assert(sizeof(Emitter) == 64 && offsetof(Emitter, triangle) == 48);
