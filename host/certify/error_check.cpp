@@ -20,8 +20,11 @@ constexpr int most_paths = 128, least_pixels = 8;
 constexpr std::size_t many_looks = 3;
 /// Errors are seldom more than so many times the spread of passes.
 constexpr double usual_excess = 4;
-/// But where they stand out of the check's noise five times, at least three quarters of them count.
-constexpr double most_doubt = 7;
+/// But what stands out of the check's noise four times counts by half at least, and more of it soon by all: its noise has long tails, and twice
+/// of it are no news where thousands of pixels were looked at.
+constexpr double most_doubt = 15;
+
+constexpr double sharpness = 4;
 
 /// Mean and its standard error.
 struct Mean {
@@ -111,11 +114,11 @@ void ErrorCheck::add(const Film& film, int paths, std::uint64_t seed) {
 double join_errors(double spread, const CertifiedError& certified) {
     if (certified.points < 2) return spread;
     if (!std::isfinite(spread)) return std::max(certified.relmse, certified.standard_error);
-    const double more = std::max(certified.relmse - spread, 0.0), square = more * more;
+    const double more = std::max(certified.relmse - spread, 0.0);
     // Errors far beyond the spread are rare, and chance is not where the check itself hardly knows: it has to stand out the more.
     const double noise = certified.standard_error * certified.standard_error,
                  doubt = 1 + (spread > 0 ? std::min(certified.standard_error / (usual_excess * spread), most_doubt) : most_doubt);
-    return spread + (square > 0 ? more * square / (square + doubt * noise) : 0.0);
+    return spread + (more > 0 ? more / (1 + std::pow(doubt * noise / (more * more), sharpness)) : 0.0);
 }
 
 /// All that was looked at, by pixel.

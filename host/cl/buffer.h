@@ -58,6 +58,10 @@ public:
     void write(const std::vector<T>& data, std::size_t first = 0) {
         if (!data.empty()) storage().write(data.data(), first * sizeof(T), data.size() * sizeof(T));
     }
+    /// Elements `first` .. from memory of another type.
+    void write_raw(const void* data, std::size_t count, std::size_t first = 0) {
+        if (count > 0) storage().write(data, first * sizeof(T), count * sizeof(T));
+    }
     std::vector<T> read(std::size_t first, std::size_t count) const {
         std::vector<T> out(count);
         if (count > 0) storage().read(out.data(), first * sizeof(T), count * sizeof(T));

@@ -6,8 +6,9 @@ namespace {
 
 template <typename T>
 Buffer<std::byte> bytes_of(const std::shared_ptr<Device>& device, const std::vector<T>& data, const std::string& what) {
-    const auto* first = reinterpret_cast<const std::byte*>(data.data());
-    return {device, std::vector<std::byte>(first, first + data.size() * sizeof(T)), what};
+    Buffer<std::byte> bytes(device, data.size() * sizeof(T), what);
+    bytes.write_raw(data.data(), bytes.size());
+    return bytes;
 }
 
 }  // namespace
