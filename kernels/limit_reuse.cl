@@ -1,6 +1,6 @@
 // How far a film pencil may be used: as what it sees is far away, and no further than emitters are from it or from its neighbours, which may see
-// emitters that it does not (neighbour clamping, Krivanek et al. 2006). DEVIATION: clamped by emitters alone: by all that is near, twice the pencils
-// are needed about contacts, to no gain.
+// emitters that it does not (neighbour clamping, Krivanek et al. 2006). DEVIATION: other things that neighbours see clamp at a multiple of their distance:
+// at once, many more pencils are needed about contacts, to no gain; not at all, light of the tops fills the pits of a relief.
 
 #include "lib/film_lattice.cl"
 #include "lib/surface_pencil.cl"
@@ -8,6 +8,8 @@
 
 /// Neighbours to each side.
 #define LIMIT_REACH 2
+/// A pencil reaches no further than so many times what a neighbour sees is from it.
+#define LIMIT_TIMES 4.0f
 
 /// launch : 1-D, one work-item per pixel
 /// in     : pencil_at[pixel], -1: none; spacing: of the neighbours [pixels]; first_new: pencils from this one on have no limit yet
@@ -24,7 +26,7 @@ kernel void limit_reuse(global SurfacePencil *pencils, global const int *pencil_
             int index = neighbour < 0 ? -1 : pencil_at[neighbour];
             if (index < 0) continue;
             float distance = reuse_distance(pencils + index, own->position.xyz, own->normal.xyz, INFINITY);
-            if (distance < INFINITY) least = fmin(least, pencils[index].emitters + distance);
+            if (distance < INFINITY) least = fmin(least, fmin(pencils[index].emitters, LIMIT_TIMES * pencils[index].position.w) + distance);
         }
     own->facing.w = least;
 }

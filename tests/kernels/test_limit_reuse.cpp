@@ -1,4 +1,4 @@
-// How far film pencils reach beside neighbours that see an emitter.
+// How far film pencils reach beside neighbours that see an emitter, or something much nearer.
 #include "kernels/lattice_test.h"
 #include "reference/tolerances.h"
 #include "surface/limit_reuse.h"
@@ -9,6 +9,7 @@ using namespace pencil;
 using namespace pencil::test;
 
 constexpr int reach = 2;
+constexpr double times = 4;  // what other things count
 
 std::vector<SurfacePencil> limited(const MadeFilm& film, const std::vector<SurfacePencil>& pencils, int spacing, int first_new) {
     Kernels kernels = make_kernels();
@@ -46,7 +47,8 @@ TEST(LimitReuse, IsTheReferences) {
                     const SurfacePencil& other = pencils[static_cast<std::size_t>(index)];
                     const ref::Reuse reuse = ref::reuse(other, xyz(p.position), xyz(p.normal));
                     margin = std::min(margin, reuse.margin);
-                    if (reuse.distance < ref::infinite) least = std::min(least, reuse.distance + static_cast<double>(other.emitters));
+                    const double near = std::min(static_cast<double>(other.emitters), times * static_cast<double>(other.position.w));
+                    if (reuse.distance < ref::infinite) least = std::min(least, reuse.distance + near);
                 }
             if (margin < tolerance::decision) continue;
             ++compared;
@@ -64,8 +66,24 @@ TEST(LimitReuse, IsTheReferences) {
 TEST(LimitReuse, WithoutEmittersItIsTheMeanDistance) {
     const MadeFilm film(37, 23, 8, 2, 53);
     std::vector<SurfacePencil> pencils = film.pencils;
-    for (SurfacePencil& p : pencils) p.emitters = HUGE_VALF;
+    for (SurfacePencil& p : pencils) {
+        p.emitters = HUGE_VALF;
+        p.position.w = 0.5F;
+    }
     for (const SurfacePencil& p : limited(film, pencils, 2, 0)) ASSERT_EQ(p.facing.w, p.position.w);
+}
+
+/// A top of a relief beside a pit.
+TEST(LimitReuse, NeighboursInPitsClamp) {
+    const MadeFilm film(37, 23, 8, 2, 54);
+    std::vector<SurfacePencil> pencils = film.pencils;
+    for (std::size_t i = 0; i < pencils.size(); ++i) {
+        pencils[i].emitters = HUGE_VALF;
+        pencils[i].position.w = i % 2 == 0 ? 10.0F : 0.01F;
+    }
+    int clamped = 0;
+    for (const SurfacePencil& p : limited(film, pencils, 2, 0)) clamped += p.position.w > 1 && p.facing.w < 1 ? 1 : 0;
+    EXPECT_GT(clamped, 20);
 }
 
 }  // namespace

@@ -6,13 +6,14 @@ namespace pencil::native {
 namespace {
 
 constexpr int reach = 2;
+constexpr float times = 4;
 
 float limit(const LatticeView& film, int pixel, int spacing, float least) {
     const SurfacePencil& own = film.pencils[film.at[pixel]];
     visit_neighbours(film, pixel % film.width, pixel / film.width, reach, spacing, [&](int index) {
         const SurfacePencil& other = film.pencils[index];
         const float distance = reuse_distance(other, xyz(own.position), xyz(own.normal));
-        if (distance < infinite) least = std::min(least, other.emitters + distance);
+        if (distance < infinite) least = std::min(least, std::min(other.emitters, times * other.position.w) + distance);
     });
     return least;
 }
