@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """make_statues.py FOLDER [--triangles N]: a scene of many triangles, four rough statues in a lit room.
 
-Writes statues.xml and its meshes, N triangles in all, into FOLDER; the same on every run. Needs python3-numpy.
+Writes statues.xml and its meshes, about N triangles in all, into FOLDER; the same on every run. Needs python3-numpy.
 """
 import argparse
 from pathlib import Path

@@ -24,6 +24,7 @@ constexpr double usual_excess = 4;
 /// of it are no news where thousands of pixels were looked at.
 constexpr double most_doubt = 15;
 
+/// Power of the square of how far it stands out.
 constexpr double sharpness = 4;
 
 /// Mean and its standard error.
@@ -118,7 +119,7 @@ double join_errors(double spread, const CertifiedError& certified) {
     // Errors far beyond the spread are rare, and chance is not where the check itself hardly knows: it has to stand out the more.
     const double noise = certified.standard_error * certified.standard_error,
                  doubt = 1 + (spread > 0 ? std::min(certified.standard_error / (usual_excess * spread), most_doubt) : most_doubt);
-    return spread + (more > 0 ? more / (1 + std::pow(doubt * noise / (more * more), sharpness)) : 0.0);
+    return spread + (more * more > 0 ? more / (1 + std::pow(doubt * noise / (more * more), sharpness)) : 0.0);
 }
 
 /// All that was looked at, by pixel.

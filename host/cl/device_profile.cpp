@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t cpu_group = 8, gpu_group = 64;
 // Groups of 64 with 16 KiB of private memory each are what PoCL's thread stacks are known to bear.
 constexpr std::size_t most_cpu_group = 64, most_gpu_group = 1024;
-// At 15 000 triangles either form of hierarchy may be faster by a tenth or two; at 100 000 the wide one takes 0.7 of the time (docs/performance.md).
+// At 15 000 triangles either form of hierarchy may be faster, the other by up to 1.3; at 100 000 the wide one takes 0.7 of the time (docs/performance.md).
 constexpr std::size_t many_triangles = 20000;
 constexpr std::size_t most_kernels = 200, longest_name = 64;
 // Of two devices: more would be a file that was not measured.

@@ -42,7 +42,9 @@ WideLeaf leaf_of(const BuildNode& from, const std::vector<Triangle>& triangles, 
 
 class Flattener {
 public:
-    Flattener(const std::vector<Triangle>& triangles, const std::vector<float4>& planes) : triangles_(triangles), planes_(planes) {}
+    Flattener(const std::vector<Triangle>& triangles, const std::vector<float4>& planes) : triangles_(triangles), planes_(planes) {
+        bvh.leaves.reserve(triangles.size() / 3);
+    }
 
     /// Appends `from`, depth first, and returns its index.
     int add(const BuildNode& from, int level) {

@@ -60,7 +60,8 @@ RenderIdentity render_identity(const Scene& scene, const RenderOptions& options,
                             {"device", device.info().name},
                             {"driver", device.info().driver},
                             {"PENCIL_KERNEL_DIR", environment("PENCIL_KERNEL_DIR")},
-                            {"PENCIL_WIDTH", std::to_string(device.packet_width())}};
+                            {"PENCIL_WIDTH", std::to_string(device.packet_width())},
+                            {"PENCIL_WIDE_BVH", environment("PENCIL_WIDE_BVH")}};
     RenderOptions shown = options;
     for (const Option& row : render_option_table(shown))
         if (row.flag != "--time" && row.flag != "--target-error") identity.emplace_back(row.flag, spelled(row.show()));

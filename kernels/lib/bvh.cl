@@ -81,7 +81,7 @@ static inline void packet_meet_triangle(RayPacket *r, global const Triangle *t, 
 }
 
 #if PENCIL_WIDE_BVH
-/// Square of the least cosine between rays of a packet that mostly meet the same boxes.
+/// Square of the least cosine between a packet's first ray and its others, where they mostly meet the same boxes.
 #define NARROW_COSINE2 0.998f
 
 /// True if the rays are faster together than each alone.
@@ -136,7 +136,10 @@ static inline void packet_trace_together(RayPacket *r, float4 origin, int own, f
 #if PENCIL_WIDE_BVH
 static inline void packet_trace(RayPacket *r, float4 origin, int own, float tolerance, HIERARCHY_PARAMETERS,
                                 global const Triangle *triangles, global const float4 *planes) {
-    if (packet_is_narrow(r)) return packet_trace_together(r, origin, own, tolerance, nodes, leaves, triangles, planes);
+    if (packet_is_narrow(r)) {
+        packet_trace_together(r, origin, own, tolerance, nodes, leaves, triangles, planes);
+        return;
+    }
     float disparity[PENCIL_WIDTH], nearest[PENCIL_WIDTH];
     int triangle[PENCIL_WIDTH];
 #pragma unroll 1

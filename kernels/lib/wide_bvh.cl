@@ -20,9 +20,15 @@ typedef struct WideRay {
     float end[3], beyond;
 } WideRay;
 
+#if defined(__clang__) && defined(__AVX__)
+#if __has_builtin(__builtin_ia32_movmskps256)
+#define WIDE_AVX
+#endif
+#endif
+
 /// The lanes of a mask as bits, lane 0 lowest.
 static inline int wide_bits(int8 mask) {
-#if defined(__clang__) && defined(__AVX__) && __has_builtin(__builtin_ia32_movmskps256)
+#ifdef WIDE_AVX
     return __builtin_ia32_movmskps256(as_float8(mask));
 #else
     int8 bits = mask & (int8)(1, 2, 4, 8, 16, 32, 64, 128);
@@ -64,7 +70,7 @@ static inline void wide_meet_leaf(WideRay *r, global const WideLeaf *leaf) {
         float4 rest = pw - fma(px, (float4)(r->end[0]), fma(py, (float4)(r->end[1]), pz * r->end[2]));
         meets &= rest * copysign((float4)(1.0f), ahead) < -r->beyond;
     } else {
-        meets &= (disparity >= r->disparity) & (disparity > 0.0f) & (disparity <= r->most);
+        meets &= (disparity >= r->disparity) & (disparity > FLT_MIN) & (disparity <= r->most);
     }
     if (!any(meets)) return;
     float4 a[3], b[3], c[3];
@@ -115,6 +121,8 @@ APART static void wide_trace(WideRay *r, global const WideNode *nodes, global co
     int stack[WIDE_STACK];
     float entries[WIDE_STACK], entry[WIDE_CHILDREN];
     int depth = 0, next = 0;
+    // NaN would meet boxes that are not there.
+    if (!isfinite(r->origin[0] + r->origin[1] + r->origin[2] + r->direction[0] + r->direction[1] + r->direction[2])) return;
     while (true) {
         if (next < 0) {
             wide_meet_leaf(r, leaves + ~next);

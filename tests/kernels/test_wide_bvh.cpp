@@ -1,8 +1,10 @@
 // The wide hierarchy: it holds what the binary one holds, and rays that go through it alone, or in narrow packets, meet what packets meet there,
 // to the last bit where they compute the same.
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
+#include "cl/device_profile.h"
 #include "film/light_surfels.h"
 #include "film/trace_film.h"
 #include "kernels/film_test.h"
@@ -14,6 +16,7 @@
 #include "reference/tolerances.h"
 #include "surface/sample_lights.h"
 #include "surface/trace_hemispheres.h"
+#include "util/environment.h"
 
 namespace {
 
@@ -115,6 +118,65 @@ TEST(WideBvh, TheFilmSeesWhatPacketsSee) {
             ASSERT_EQ(seen[0][i].disparity, seen[1][i].disparity) << i;
         }
     }
+}
+
+/// Rays of a lens go through the nearest triangles alone, each from its own place.
+TEST(WideBvh, LanesMeetWhatPacketsMeet) {
+    const TestCamera view = make_camera({0.1, -0.2, 0.6}, {0.1, 0.1, -1}, {0, 1, 0}, 0.7, 16, 12);
+    const TestScene scene = room_scene(8, 3000);
+    std::vector<glm::vec2> offsets = film_sample_offsets(4, 5);
+    for (const glm::vec2& on_lens : {glm::vec2(0.5F, 0.1F), glm::vec2(-0.3F, 0.4F), glm::vec2(0, -0.7F), glm::vec2(0)})
+        offsets.push_back(on_lens);
+    std::vector<std::vector<Hit>> seen;
+    for (const bool wide : {false, true}) {
+        Features features = kernels_of(wide).features();
+        features.wide_camera = true;
+        Kernels kernels(device(), features);
+        Camera camera = view.camera;
+        camera.lens_x = float4(0.05F, 0, 0, 0);
+        camera.lens_y = float4(0, 0.05F, 0, 0);
+        Buffer<Hit> hits(device(), 4 * 16 * 12, "hits");
+        trace_film(kernels, scene_of(scene, wide), camera, Buffer<glm::vec2>(device(), offsets, "offsets"), 4, 0, 12, hits, "film hits");
+        seen.push_back(hits.read());
+    }
+    int differ = 0;
+    for (std::size_t i = 0; i < seen[0].size(); ++i) {
+        if (seen[0][i].triangle != seen[1][i].triangle) {
+            ++differ;
+            continue;
+        }
+        if (seen[0][i].triangle < 0) continue;
+        ASSERT_NEAR(1.0 / seen[0][i].disparity, 1.0 / seen[1][i].disparity, 1e-5) << i;
+    }
+    EXPECT_EQ(seen[0].size(), 768U);
+    EXPECT_LE(differ, 1) << "a ray along an edge may differ";
+}
+
+/// Nothing is met, and nothing hangs, where there is nothing or rays have no place.
+TEST(WideBvh, EmptyScenesAndRaysWithoutPlace) {
+    TestScene scene = box_scene(1);
+    for (const bool empty : {false, true}) {
+        std::vector<SurfacePencil> placed = random_pencils(5, 3);
+        if (empty)
+            scene.flat.triangles.clear();
+        else
+            for (SurfacePencil& p : placed) p.position.x = std::nanf("");
+        Kernels kernels = kernels_of(true);
+        SurfacePencils pencils(device(), 3, 4);
+        pencils.data.write(placed);
+        pencils.count = 3;
+        Surfels surfels(device(), 48, "surfels");
+        trace_hemispheres(kernels, scene_of(scene, true), pencils, 0, 3, {7}, surfels);
+        const HostSurfels seen(surfels);
+        for (int i = 0; i < 48; ++i) EXPECT_EQ(seen.plane(i), -1);
+    }
+}
+
+TEST(WideBvh, ManyTrianglesOnPacketsWantIt) {
+    if (!environment("PENCIL_WIDE_BVH").empty()) GTEST_SKIP() << "PENCIL_WIDE_BVH decides";
+    EXPECT_TRUE(wants_wide_bvh(16, 1000000));
+    EXPECT_FALSE(wants_wide_bvh(16, 1000));
+    EXPECT_FALSE(wants_wide_bvh(1, 1000000)) << "a GPU's rays go alone anyway";
 }
 
 /// Rays from places of their own, until each has met something.
