@@ -20,11 +20,10 @@ constexpr int most_paths = 128, least_pixels = 8;
 constexpr std::size_t many_looks = 3;
 /// Errors are seldom more than so many times the spread of passes.
 constexpr double usual_excess = 4;
-/// But what stands out of the check's noise four times counts by half at least, and more of it soon by all: its noise has long tails, and twice
-/// of it are no news where thousands of pixels were looked at.
+/// But what stands out of the check's noise four times counts by half at least: its noise has long tails, and twice of it are no news where hundreds
+/// of pixels were looked at.
 constexpr double most_doubt = 15;
-
-/// Power of the square of how far it stands out.
+/// Of the square of how far it stands out: how soon it counts in full, or not at all.
 constexpr double sharpness = 4;
 
 /// Mean and its standard error.

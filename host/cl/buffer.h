@@ -58,9 +58,9 @@ public:
     void write(const std::vector<T>& data, std::size_t first = 0) {
         if (!data.empty()) storage().write(data.data(), first * sizeof(T), data.size() * sizeof(T));
     }
-    /// Elements `first` .. from memory of another type.
-    void write_raw(const void* data, std::size_t count, std::size_t first = 0) {
-        if (count > 0) storage().write(data, first * sizeof(T), count * sizeof(T));
+    /// All elements, from memory of another type.
+    void write_raw(const void* data) {
+        if (count_ > 0) storage().write(data, 0, count_ * sizeof(T));
     }
     std::vector<T> read(std::size_t first, std::size_t count) const {
         std::vector<T> out(count);

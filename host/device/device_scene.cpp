@@ -7,7 +7,7 @@ namespace {
 template <typename T>
 Buffer<std::byte> bytes_of(const std::shared_ptr<Device>& device, const std::vector<T>& data, const std::string& what) {
     Buffer<std::byte> bytes(device, data.size() * sizeof(T), what);
-    bytes.write_raw(data.data(), bytes.size());
+    bytes.write_raw(data.data());
     return bytes;
 }
 
