@@ -219,6 +219,7 @@ void LayerMean::transfer(Archive& archive, std::size_t pixels) {
     for (const Halves* halves : {&now_, &before_}) std::for_each(halves->begin(), halves->end(), check);
     for (int s = 0; s < sequences; ++s)
         Archive::expect((of_[static_cast<std::size_t>(s)].weight > 0) == (s < count_), "a sequence has no images");
+    Archive::expect(!has_sets() || count_ >= sequences, "there are fewer images than sets");
     Archive::expect(std::isfinite(weight_) && (weight_ > 0) == (count_ > 0), "the mean has no weight");
 }
 

@@ -19,41 +19,8 @@ constexpr int single_map = 4;
 constexpr double most_new = 0.2;
 /// Pencils fade out at so many times the error up to which one covers a surfel: no edge shows where a surfel leaves the reach of one.
 constexpr float fade_errors = 2;
-/// Of sensors.
-constexpr int least_seeds = 256, most_seeds = 1024;
 
 }  // namespace
-
-FilmPixels::FilmPixels(const Film& shown) : film(shown), counts(shown.counts().read()), first_surfel(shown.first_surfel().read()) {}
-
-SurfacePencils seed_pencils(Kernels& kernels, const FilmPixels& pixels, int spacing, int map) {
-    const Film& film = pixels.film;
-    const int columns = (film.width() + spacing - 1) / spacing, rows = (film.height() + spacing - 1) / spacing;
-    std::vector<bool> seeded(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), false);
-    ChosenSurfels chosen;
-    for (std::size_t pixel = 0; pixel < pixels.counts.size(); ++pixel) {
-        const int x = static_cast<int>(pixel) % film.width(), y = static_cast<int>(pixel) / film.width();
-        const int cell = y / spacing * columns + x / spacing;
-        if (seeded[static_cast<std::size_t>(cell)] || !pixels.shows(pixel)) continue;
-        seeded[static_cast<std::size_t>(cell)] = true;
-        chosen.add(pixels.first_surfel[pixel], static_cast<uint>(pixel), film.viewer(pixels.first_surfel[pixel]));
-    }
-    SurfacePencils seeds(kernels.device(), 1, map);
-    place_surface_pencils(kernels, film.surfels(), chosen, seeds);
-    return seeds;
-}
-
-SurfacePencils seed_sensors(Kernels& kernels, const Film& film, int map) {
-    ChosenSurfels chosen;
-    const int sensors = film.surfels().count, seeds = std::clamp(sensors, least_seeds, most_seeds);
-    for (int k = 0; k < seeds; ++k) {
-        const auto sensor = static_cast<int>(static_cast<std::int64_t>(k) * sensors / seeds);
-        chosen.add(sensor, static_cast<uint>(k), film.viewer(sensor));
-    }
-    SurfacePencils pencils(kernels.device(), 1, map);
-    place_surface_pencils(kernels, film.surfels(), chosen, pencils);
-    return pencils;
-}
 
 FilmPencils::FilmPencils(Kernels& kernels, const FilmPixels& film_pixels, const FilmLattice& lattice)
     : kernels_(kernels),

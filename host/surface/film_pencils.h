@@ -1,27 +1,11 @@
 // Film pencils: surface pencils on a lattice of pixels, refined where their irradiance may not be reused, and the film lit by them.
 #pragma once
 
-#include "film/film.h"
-#include "shared/film.h"
 #include "surface/film_lattice.h"
+#include "surface/film_pixels.h"
 #include "surface/surface_solver.h"
 
 namespace pencil {
-
-/// What the pixels of a film show, on the host: read from the device once per film.
-struct FilmPixels {
-    explicit FilmPixels(const Film& film);
-
-    /// True if the pixel shows something; its first surfel then is first_surfel[pixel].
-    bool shows(std::size_t pixel) const { return surfels(pixel) > 0; }
-    int surfels(std::size_t pixel) const { return counts[pixel] & FILM_COUNT_MASK; }
-    /// True if each visibility sample has a surfel of its own.
-    bool shows_samples(std::size_t pixel) const { return film.samples() > 1 && surfels(pixel) == film.samples(); }
-
-    const Film& film;
-    std::vector<unsigned char> counts;
-    std::vector<int> first_surfel;
-};
 
 struct FilmLattice {
     int coarsest;      // spacing [pixels]; 0: no lattice, every surfel has a pencil of its own
@@ -29,11 +13,6 @@ struct FilmLattice {
     int map;           // width of the maps
     float smooth;      // reuse_error at which neighbours are not smoothed over
 };
-
-/// A pencil for each cell of spacing x spacing pixels that shows something, on the first of its surfels, with maps of map x map texels.
-SurfacePencils seed_pencils(Kernels& kernels, const FilmPixels& pixels, int spacing, int map);
-/// The same on sensors, several on each where these are few.
-SurfacePencils seed_sensors(Kernels& kernels, const Film& film, int map);
 
 class FilmPencils {
 public:

@@ -12,8 +12,8 @@ constexpr int most_passes = 1 << 24;
 }  // namespace
 
 void PassCourse::transfer(Archive& archive) {
-    archive(index, film_rays, world_set, placed_by, wish, guess, spacing, thrift, work, placed_split, pixel_noise, mean_noise, balance,
-            solver);
+    archive(index, film_rays, world_set, placed_by, wish, guess, spacing, thrift, work, placed_split, missed, missed_before, pixel_noise,
+            mean_noise, balance, solver);
     if (!archive.reads()) return;
     Archive::expect(index > 0 && index <= most_passes && placed_by >= 0 && placed_by < index, "no passes");
     Archive::expect(thrift >= 0 && thrift <= most_thrift && wish > 0, "no world set");

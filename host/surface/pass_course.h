@@ -24,6 +24,7 @@ struct PassCourse {
     int thrift = 0;                           // times that memory was short: each halves what the world set takes
     double work = 0;                          // of all, as Patience counts it
     std::vector<unsigned char> placed_split;  // pixels that were split (Film) in the pass that placed the world set; empty: none
+    std::vector<uint> missed, missed_before;  // pixels that see what no pencil stood for, and those known when the world set was placed
     double pixel_noise = 0, mean_noise = 0;   // of a pass, when the world set was placed
     WorldBalance balance;
     SurfaceSolver::Course solver;

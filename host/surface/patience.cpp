@@ -19,24 +19,30 @@ constexpr double falling_share = 0.85;
 /// And from so many on where it is surely so many times what was asked for: that is no matter of patience.
 constexpr double hopeless_work = 16;
 constexpr double hopeless = 100;
+/// The mean is known well where its error is this share of what is asked for.
+constexpr double well_known = 0.7;
 
 }  // namespace
 
-bool Patience::knows_the_mean(const PassesSoFar& so_far) const {
+/// Asked after every pass, few passes agree by chance sooner or later: they have to do so twice, unless they do so well.
+bool Patience::knows_the_mean(const PassesSoFar& so_far) {
     if (so_far.work >= mean_work) return true;
     const double share = mean_share * std::sqrt(target_), wanted = std::clamp(usual_mean_error, share / 2, share);
     const CertifiedError& certified = so_far.certified;
     const bool contradicted = certified.points > 1 && std::abs(certified.mean_bias) > std::max(2 * certified.mean_error, wanted);
-    return !contradicted && so_far.mean_error <= wanted;
+    const bool knows = !contradicted && so_far.mean_error <= wanted, twice = knows && knew_;
+    knew_ = knows;
+    return twice || (knows && so_far.mean_error <= well_known * wanted);
 }
 
 Patience::Answer Patience::ask(const PassesSoFar& so_far) {
     const auto& [passes, work, error, sure_error, mean_error, certified] = so_far;
     if (passes >= 2 && !std::isfinite(error)) return {true, "the image holds values that are not finite: stopped, the error is not known"};
-    if (passes >= least_passes && error <= target_ && knows_the_mean(so_far)) return {true, {}};
+    const bool knows = knows_the_mean(so_far);
+    if (passes >= least_passes && error <= target_ && knows) return {true, {}};
     const double patience = sure_error > hopeless * target_ ? hopeless_work : steady_work;
     const bool stuck = error > target_ && work >= patience && passes == 2 * error_passes_ && error > falling_share * last_error_ &&
-                       (patience == hopeless_work || knows_the_mean(so_far));
+                       (patience == hopeless_work || knows);
     if (stuck || work >= most_work)
         return {true,
                 fmt::format("stopped {} --target-error: the estimated relMSE is {:.2g} after {} passes{}, the mean known to {:.1g} %; "

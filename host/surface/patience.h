@@ -39,12 +39,13 @@ public:
     };
     Answer ask(const PassesSoFar& so_far);
 
-    void transfer(Archive& archive) { archive(error_passes_, last_error_); }
+    void transfer(Archive& archive) { archive(knew_, error_passes_, last_error_); }
 
 private:
-    bool knows_the_mean(const PassesSoFar& so_far) const;
+    bool knows_the_mean(const PassesSoFar& so_far);
 
     double target_;
+    bool knew_ = false;      // the mean, after the last pass
     int error_passes_ = 0;   // a power of two,
     double last_error_ = 0;  // after which the error was this
 };

@@ -24,7 +24,7 @@ constexpr double bright = 6;
 constexpr double least_noise = 0.5, least_variance = 0.02, least_mean_variance = 0.004;
 /// Portals are worth rays of their own where bright rays are enough of them that it is no chance, and each portal is this share of the noise,
 constexpr std::size_t least_rays = 24;
-constexpr double least_share = 0.05;
+constexpr double least_portal_share = 0.05;
 /// so many times as much as if noise came from everywhere alike,
 constexpr double least_gain = 4;
 /// and all are this share: they cost a fifth to a half of the rays of pencils.
@@ -285,7 +285,7 @@ std::vector<Spot> find_portals(const std::vector<LightRay>& rays, int of_each, c
     double through = 0;
     for (std::size_t k = 0; k < most_portals; ++k) {
         const std::optional<PortalFinder::Portal> found = finder.next();
-        if (!found || !(found->noise > least_share * all)) break;
+        if (!found || !(found->noise > least_portal_share * all)) break;
         if (!(found->noise > least_gain * found->width * all)) continue;
         portals.push_back(found->spot);
         through += found->noise / all;

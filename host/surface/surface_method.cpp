@@ -8,6 +8,7 @@
 #include "pencils/low_discrepancy.h"
 #include "surface/explain_bounces.h"
 #include "surface/film_lobes.h"
+#include "surface/film_seeds.h"
 #include "surface/sample_lights.h"
 #include "util/error.h"
 
@@ -17,6 +18,11 @@ namespace {
 
 /// Spacing of the pencils whose texels show where light is reflected, in terms of the coarsest of the first pass.
 constexpr int seed_spacing = 8;
+/// Width of the maps of those that look, between them, whether anything is missed. So many join them at most for each one; and this share of what is
+/// seen is no reason to place a set once more.
+constexpr int look_map = 4;
+constexpr std::size_t most_missed = 4;
+constexpr double tolerated_miss = 1e-3;
 /// Rays of the world set for each one of the film pencils.
 constexpr double world_share = 0.15;
 /// Width of the maps of the world set, and of the first ones, before the film's rays are known.
@@ -162,7 +168,8 @@ void SurfaceMethod::place_world(const SurfacePass& pass, const FilmPixels& pixel
         if (copy->failure.empty())
             solver_->add_helper(*copy,
                                 [&] { return surface_lights(context_, copy->kernels.device(), pass, frame_->light_samples(), seed); });
-    if (context_.wanted(2)) solver_->place(seeds(pixels), course_.guess);
+    course_.missed_before = course_.missed;
+    if (context_.wanted(2)) cover_world(pixels);
 }
 
 /// Places the world set of the next pass once more, if those before share it.
@@ -172,6 +179,7 @@ void SurfaceMethod::resume() {
     if (course_.world_set < 0 || course_.world_set != pass(course_.index).world_set) return;
     const SurfacePass placing = pass(course_.placed_by);
     begin_frame(course_.placed_by, placing, {}, course_.placed_split);
+    course_.missed = course_.missed_before;
     place_world(placing, FilmPixels(frame_->film()));
     solver_->resume(course_.solver);
     frame_ = nullptr;
@@ -189,14 +197,28 @@ void SurfaceMethod::transfer(Archive& archive) {
     Archive::expect(course_.placed_split.empty() ||
                         course_.placed_split.size() == static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height),
                     "pixels of another image are split");
+    for (const std::vector<uint>* missed : {&course_.missed, &course_.missed_before})
+        for (const uint pixel : *missed)
+            Archive::expect(pixel < static_cast<uint>(film.width * film.height), "a seed lies outside the image");
     context_.clock.go_on_after(seconds);
     resume();
 }
 
-/// Pencils whose texels show where light is reflected.
-SurfacePencils SurfaceMethod::seeds(const FilmPixels& pixels) const {
-    if (pixels.film.is_row_of_sensors()) return seed_sensors(context_.kernels, pixels.film, film_map);
-    return seed_pencils(context_.kernels, pixels, seed_spacing * coarsest_spacing(context_.flat.camera), film_map);
+/// Places it on what the film sees. Seeds are few: pixels between them look whether anything is missed, and are seeds of the sets to come.
+void SurfaceMethod::cover_world(const FilmPixels& pixels) {
+    Kernels& kernels = context_.kernels;
+    if (pixels.film.is_row_of_sensors()) return solver_->place(seed_sensors(kernels, pixels.film, film_map), course_.guess);
+    const int coarsest = coarsest_spacing(context_.flat.camera);
+    std::vector<uint> seeds = pixels_of_cells(pixels, seed_spacing * coarsest);
+    const std::size_t most = most_missed * seeds.size();
+    seeds.insert(seeds.end(), course_.missed.begin(), course_.missed.end());
+    solver_->place(seed_pencils(kernels, pixels, seeds, film_map), course_.guess);
+    WorldSet::Missed missed = solver_->missed(seed_pencils(kernels, pixels, pixels_of_cells(pixels, coarsest), look_map));
+    missed.keys.resize(std::min(missed.keys.size(), most - std::min(most, course_.missed.size())));
+    course_.missed.insert(course_.missed.end(), missed.keys.begin(), missed.keys.end());
+    if (missed.share <= tolerated_miss || missed.keys.empty()) return;
+    seeds.insert(seeds.end(), missed.keys.begin(), missed.keys.end());
+    solver_->place(seed_pencils(kernels, pixels, seeds, film_map), solver_->spacing());
 }
 
 /// Width of the maps of the world set for about so many rays, a multiple of 4.

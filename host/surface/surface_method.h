@@ -49,7 +49,7 @@ private:
     bool enough(double pace);
     SurfacePass pass(int index) const;
     Turn turn(int index) const;
-    SurfacePencils seeds(const FilmPixels& pixels) const;
+    void cover_world(const FilmPixels& pixels);
 
     RenderContext& context_;
     int emitters_ = 0;  // shapes whose light is sampled

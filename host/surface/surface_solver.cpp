@@ -66,6 +66,12 @@ void SurfaceSolver::place(const SurfacePencils& seeds, float spacing) {
         "place world", [&] { world_.cover(seeds, spacing); });
 }
 
+WorldSet::Missed SurfaceSolver::missed(const SurfacePencils& looks) const {
+    WorldSet::Missed missed;
+    clock_.run("place world", [&] { missed = world_.missed(looks); });
+    return missed;
+}
+
 void SurfaceSolver::solve(int map, int orders, double tolerance, std::uint64_t seed) {
     limited_ = orders >= 0;
     direct_ = !limited_ || orders >= 2;

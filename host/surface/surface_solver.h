@@ -63,6 +63,7 @@ public:
     /// Bright spots that other world sets of the scene have found: rays go to them from the first solve() on.
     void know(const std::vector<Spot>& spots);
 
+    WorldSet::Missed missed(const SurfacePencils& looks) const;
     const SurfacePencils& world() const { return world_.pencils(); }
     /// WorldSet's, after solve().
     double light_to_film() const { return world_.light_to_film(); }

@@ -70,6 +70,9 @@ WorldSet::WorldSet(Kernels& kernels, const DeviceScene& scene, int wish, uint se
 }
 
 void WorldSet::cover(const SurfacePencils& seeds, float spacing) {
+    pencils_.count = seen_surfels_.count = 0;
+    sources_.clear();
+    seen_ = {};
     seeds_ = seeds.count;
     seen_surfels_.reserve(kernels_.device(), seeds_ * pencils_.texels(), seen_name);
     trace_hemispheres(kernels_, scene_, seeds, 0, seeds_, {seed_}, seen_surfels_);
@@ -91,6 +94,28 @@ void WorldSet::cover(const SurfacePencils& seeds, float spacing) {
     fill({fill_spacing * spacing_, most(most_fill)});
     shared_ = SharedPoints(seen_.points(), link_seen(), static_cast<std::size_t>(pencils_.count), static_cast<std::size_t>(seeds_),
                            static_cast<std::size_t>(pencils_.texels()));
+}
+
+WorldSet::Missed WorldSet::missed(const SurfacePencils& looks) const {
+    Missed missed;
+    if (looks.count == 0) return missed;
+    Surfels surfels(kernels_, looks.count * looks.texels(), "surfels that the film looks at");
+    trace_hemispheres(kernels_, scene_, looks, 0, looks.count, {seed_}, surfels);
+    follow(0, seed_, surfels);
+    const std::vector<glm::ivec4> links = link_surfels(kernels_, scene_, surfels, pencils_, grid_).pencils.read();
+    SeenPoints seen;
+    seen.read_points(surfels);
+    PointThinner thinner(widest, alike);
+    const auto texels = static_cast<std::size_t>(looks.texels());
+    double lost = 0;
+    std::size_t next = 0;
+    for (const SurfacePencil& look : looks.data.read(0, static_cast<std::size_t>(looks.count))) {
+        const double before = lost;
+        for (const std::size_t end = next + texels; next < end; ++next) lost += seen.points()[next].albedo > 0 && links[next].x < 0 ? 1 : 0;
+        if (lost > before && thinner.add(glm::vec3(look.position), glm::vec3(look.normal), spacing_)) missed.keys.push_back(look.key);
+    }
+    missed.share = lost / static_cast<double>(next);
+    return missed;
 }
 
 /// Surfels from number `first` on that have lobes become what these show.

@@ -19,8 +19,15 @@ public:
     WorldSet(Kernels& kernels, const DeviceScene& scene, int wish, uint seed, const LobeLights& lights);
 
     /// Places pencils on what the texels of `seeds` see, then on what those see, and so on, until all that is seen is covered. `spacing`: a
-    /// guess of spacing(), 0: none.
+    /// guess of spacing(), 0: none. Pencils of before are gone.
     void cover(const SurfacePencils& seeds, float spacing = 0);
+    /// What seeds have missed, as other pencils that look about say.
+    struct Missed {
+        std::vector<uint>
+            keys;          // of those that see something which reflects and which no pencil stands for, no closer than the set's own lie
+        double share = 0;  // of what all see
+    };
+    Missed missed(const SurfacePencils& looks) const;
     /// With which as many pencils as wished for lie on what is seen [scene units].
     float spacing() const { return spacing_; }
     /// From which things are seen: the median of all such distances [scene units]; a harmonic mean would be that of the closest contacts.

@@ -1,7 +1,7 @@
 #include "bench/surface_bench.h"
 
 #include "shared/film.h"
-#include "surface/film_pencils.h"
+#include "surface/film_seeds.h"
 #include "surface/limit_reuse.h"
 #include "surface/measure_hemispheres.h"
 
@@ -43,7 +43,8 @@ void repack(const DeviceGrid& grid, std::vector<int>& starts, std::vector<float>
 WorldSet covered(Kernels& kernels, const DeviceScene& scene, const LobeLights& lights) {
     const Workbench& bench = workbench();
     WorldSet world(kernels, scene, sizes().world, 0, lights);
-    world.cover(seed_pencils(kernels, FilmPixels(bench.film), std::min(seed_spacing, sizes().film / 4), world_map));
+    const FilmPixels pixels(bench.film);
+    world.cover(seed_pencils(kernels, pixels, pixels_of_cells(pixels, std::min(seed_spacing, sizes().film / 4)), world_map));
     world.gather(world_map, 0);
     return world;
 }

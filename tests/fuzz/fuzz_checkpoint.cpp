@@ -14,7 +14,7 @@ void use(pencil::LayerMean& mean) {
     if (mean.count() == 0) return;
     mean.usual_values();
     mean.relative_mean_square_error();
-    mean.mean_standard_error();
+    mean.mean_square_noise();
     for (const pencil::Layer& layer : mean.take())
         pencil::fuzz::require(layer.pixels.size() == pixels * static_cast<std::size_t>(layer.channels));
 }

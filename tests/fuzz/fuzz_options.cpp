@@ -7,7 +7,7 @@
 #include "app/command_line.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static std::vector<pencil::SubCommand> commands = pencil::sub_commands();
+    const std::vector<pencil::SubCommand> commands = pencil::sub_commands();  // anew: options that may be repeated keep what they read
     const std::string text(reinterpret_cast<const char*>(data), size);
     for (const pencil::SubCommand& command : commands)
         for (const pencil::Option& row : command.table) try {

@@ -175,6 +175,22 @@ TEST(TrustSpots, ALampSmallerThanAPixelHasItsLight) {
     EXPECT_LT(result.stats.passes, 64);
 }
 
+/// Two closed rooms that have nothing in common, each as bright everywhere as emission / (1 - albedo); three columns of the image show the second.
+TEST(TrustSeeds, ARoomThatFewPixelsShowIsLitAsOthers) {
+    Scene scene;
+    add_box(scene, {-1, -0.75, -1}, {0.8, 0.75, 1}, {glm::vec3(0.5F), glm::vec3(0.01F)});
+    add_box(scene, {0.85, -0.75, -1}, {1, 0.75, 1}, {glm::vec3(0.9F), glm::vec3(0.1F)});
+    look_at(scene, {0, 0, 2}, {0, 0, 0}, {0, 1, 0}, 65.8, 48, 36);
+    scene.sensor.near_clip = 1.5;  // begins inside both
+    RenderOptions options;
+    options.target_error = 1;
+    const Layer image = layer(render_layers(scene, options), "");
+    for (std::size_t y = 0; y < 36; ++y) {
+        EXPECT_NEAR(pixel(image, 48 * y + 20).x, 0.02, 0.001);
+        for (std::size_t x = 46; x < 48; ++x) EXPECT_NEAR(pixel(image, 48 * y + x).x, 1.0, 0.06) << x << ", " << y;
+    }
+}
+
 /// The image hardly depends on how far the ground goes on.
 TEST(TrustScale, GroundPlanesOfAllSizes) {
     RenderOptions options;

@@ -38,8 +38,16 @@ TEST(Patience, TheTargetEndsIt) {
 }
 
 TEST(Patience, TheMeanIsToBeKnownTooButNotForEver) {
-    EXPECT_EQ(end_of([](int passes) { return PassesSoFar{passes, double(passes), 0, 0, 0.03 / passes, unchecked}; }).passes, 8);
+    EXPECT_EQ(end_of([](int passes) { return PassesSoFar{passes, double(passes), 0, 0, 0.03 / passes, unchecked}; }).passes, 9);
     EXPECT_EQ(end_of([](int passes) { return PassesSoFar{passes, double(passes), 0, 0, 1, unchecked}; }).passes, 128);
+}
+
+TEST(Patience, PassesThatAgreeOnceByChanceGoOn) {
+    const auto chance = [](double once) {
+        return end_of([=](int passes) { return PassesSoFar{passes, double(passes), 0, 0, passes == 5 ? once : 0.01, unchecked}; }).passes;
+    };
+    EXPECT_EQ(chance(0.0035), 128);
+    EXPECT_EQ(chance(0.002), 5) << "they agree too well for that";
 }
 
 TEST(Patience, LightPathsThatContradictAreHeard) {

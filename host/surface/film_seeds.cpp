@@ -1,0 +1,52 @@
+#include "surface/film_seeds.h"
+
+#include <algorithm>
+
+#include "surface/place_surface_pencils.h"
+
+namespace pencil {
+
+namespace {
+
+/// Of sensors.
+constexpr int least_seeds = 256, most_seeds = 1024;
+
+}  // namespace
+
+std::vector<uint> pixels_of_cells(const FilmPixels& pixels, int spacing) {
+    const Film& film = pixels.film;
+    const int columns = (film.width() + spacing - 1) / spacing, rows = (film.height() + spacing - 1) / spacing;
+    std::vector<bool> seeded(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), false);
+    std::vector<uint> found;
+    for (std::size_t pixel = 0; pixel < pixels.counts.size(); ++pixel) {
+        const int x = static_cast<int>(pixel) % film.width(), y = static_cast<int>(pixel) / film.width();
+        const auto cell = static_cast<std::size_t>(y / spacing * columns + x / spacing);
+        if (seeded[cell] || !pixels.shows(pixel)) continue;
+        seeded[cell] = true;
+        found.push_back(static_cast<uint>(pixel));
+    }
+    return found;
+}
+
+SurfacePencils seed_pencils(Kernels& kernels, const FilmPixels& pixels, const std::vector<uint>& chosen, int map) {
+    ChosenSurfels surfels;
+    for (const uint pixel : chosen)
+        if (pixels.shows(pixel)) surfels.add(pixels.first_surfel[pixel], pixel, pixels.film.viewer(pixels.first_surfel[pixel]));
+    SurfacePencils seeds(kernels.device(), 1, map);
+    place_surface_pencils(kernels, pixels.film.surfels(), surfels, seeds);
+    return seeds;
+}
+
+SurfacePencils seed_sensors(Kernels& kernels, const Film& film, int map) {
+    ChosenSurfels chosen;
+    const int sensors = film.surfels().count, seeds = std::clamp(sensors, least_seeds, most_seeds);
+    for (int k = 0; k < seeds; ++k) {
+        const auto sensor = static_cast<int>(static_cast<std::int64_t>(k) * sensors / seeds);
+        chosen.add(sensor, static_cast<uint>(k), film.viewer(sensor));
+    }
+    SurfacePencils pencils(kernels.device(), 1, map);
+    place_surface_pencils(kernels, film.surfels(), chosen, pencils);
+    return pencils;
+}
+
+}  // namespace pencil
