@@ -35,6 +35,6 @@ for target in "${targets[@]}"; do
     [[ -f tests/fuzz/$target.dict ]] && limits+=(-dict="tests/fuzz/$target.dict")
     # OpenImageIO leaves a few bytes behind where libpng jumps out of a damaged picture.
     leaks=1
-    [[ $target == gltf || $target == picture ]] && leaks=0
+    [[ $target == gltf || $target == scene || $target == picture ]] && leaks=0
     ASAN_OPTIONS=detect_leaks=$leaks "build/fuzz/tests/fuzz/fuzz_$target" "${limits[@]}" "$corpus" "${seeds[@]}"
 done

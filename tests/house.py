@@ -15,7 +15,7 @@ USES = {
     "scene/gltf": ["scene/meshes", "scene/textures"], "scene/models": ["scene/meshes", "scene/textures"],
     "scene/formats": ["scene/mitsuba", "scene/gltf", "scene/models"],
     "pencils": ["scene"], "device": ["cl", "pencils", "options"], "visibility": ["device"], "film": ["visibility"], "certify": ["film"],
-    "line/placement": ["visibility"], "line": ["film", "line/placement"], "surface": ["certify"], "render": ["line", "surface"],
+    "line/placement": ["visibility"], "line": ["certify", "line/placement"], "surface": ["certify"], "render": ["line", "surface"],
     "reference": ["scene", "options"], "compare": ["image", "options"], "converge": ["render", "reference", "compare"], "measure": ["render", "reference"],
     "stress": ["render", "reference"], "app": ["converge", "measure", "stress", "field", "scene/formats"],
 }

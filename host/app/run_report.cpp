@@ -59,7 +59,9 @@ std::string bounce_line(const RenderStats& stats) {
                            known ? "relMSE " + format_short(stats.estimated_error) + checked(stats.certified) : "unknown");
     }
     std::string line = fmt::format("{}, residual {}", stats.bounces.size(), format_short(stats.residual));
-    return line + (stats.tail_closed ? ", added as a geometric tail" : "");
+    line += stats.tail_closed ? ", added as a geometric tail" : "";
+    if (stats.certified.points > 1) line += "\nerror    relMSE " + format_short(stats.estimated_error) + checked(stats.certified);
+    return line;
 }
 
 }  // namespace

@@ -36,6 +36,7 @@ public:
     const LightSet& lights() const { return lights_; }
     Buffer<float>& outgoing() { return outgoing_; }  // rgb per surfel of the film
     FilmLayers& layers() { return layers_; }
+    const FilmLayers& layers() const { return layers_; }
     std::vector<Layer> snapshot() const { return layers_.snapshot(film_->width(), film_->height()); }
     std::vector<Layer> take_layers() { return layers_.take(film_->width(), film_->height()); }
 

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtx/component_wise.hpp>
 #include <limits>
 
+#include "certify/error_check.h"
 #include "device/radiance_atlas.h"
 #include "line/level_solver.h"
 #include "line/planned_maps.h"
@@ -84,8 +86,9 @@ MethodNeeds line_needs(const Scene& scene, const std::vector<LightForm>& forms, 
                                             : "line projection knows the pinhole camera alone; take --method surface");
     MethodNeeds needs;
     if (!options.field && options.bounces != 0) needs.kernels = sure_kernels(form);
+    if (LineCheck::wanted(options)) needs.kernels.push_back({"trace_checks"});
     needs.maps = planned_maps(scene, forms, options);
-    needs.hierarchy = follows_rays(options.placement) || weights_need_rays(form) || shows_part(options);
+    needs.hierarchy = follows_rays(options.placement) || weights_need_rays(form) || shows_part(options) || LineCheck::wanted(options);
     needs.map_kind = kind;
     needs.atlas = options.bounces != 0;
     needs.weights = form;
@@ -102,6 +105,7 @@ bool LineMethod::advance() {
     }
     if (context_.options.iterate == Iterate::levels) {
         show_levels();
+        check();
         return false;
     }
     if (projected_ == 0) {
@@ -116,6 +120,7 @@ bool LineMethod::advance() {
     project();
     if (context_.wanted(order_ + 2) && !series_ended(series_, context_.options.tolerance, context_.stats)) return true;
     close_series();
+    check();
     return false;
 }
 
@@ -180,6 +185,7 @@ bool LineMethod::begin() {
     frame_ =
         std::make_unique<Frame>(context_, options.aovs, options.light_samples, light_map_size(options.map), Turn{options.seed, 0, true});
     order_ = context_.maps_emit ? 0 : 1;
+    if (LineCheck::wanted(options)) check_.begin(*frame_);
     return frame_->add_direct() && (options.field || context_.wanted(order_ + 1));
 }
 
@@ -278,6 +284,12 @@ void LineMethod::close_series() {
     context_.stats.residual = frame_->layers().close_series(series_.tail_factor());
 }
 
+void LineMethod::check() {
+    if (LineCheck::wanted(context_.options) && !series_.diverges()) check_.end(context_, *frame_, glm::compMax(series_.ratio()));
+}
+
+double LineMethod::estimated_error() const { return join_errors(std::numeric_limits<double>::infinity(), check_.found()); }
+
 std::vector<Layer> LineMethod::snapshot() const { return frame_ ? frame_->snapshot() : std::vector<Layer>(); }
 std::vector<Layer> LineMethod::take() { return frame_ ? frame_->take_layers() : std::vector<Layer>(); }
 
@@ -298,6 +310,7 @@ std::vector<std::string> LineMethod::explain() const {
         return {lines[0], lines[1],
                 fmt::format("left out: rooms, placement and transport between pencils; the light is that of a field of {}{}",
                             options.field->count(), shows_part(options) ? fmt::format(", of which a view uses {}", options.pencils) : "")};
+    if (!check_.left_out().empty()) lines.push_back(check_.left_out());
     if (projected_ == 0) return lines;
     std::string rooms;
     for (int shape : free_space_->rooms()) rooms += (rooms.empty() ? "" : ", ") + context_.scene.shapes[static_cast<std::size_t>(shape)].id;

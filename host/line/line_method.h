@@ -8,6 +8,7 @@
 #include "film/method.h"
 #include "line/field_maps.h"
 #include "line/field_view.h"
+#include "line/line_check.h"
 #include "line/pencil_solver.h"
 
 namespace pencil {
@@ -26,6 +27,8 @@ public:
     void look() override;
     std::vector<Layer> snapshot() const override;
     std::vector<Layer> take() override;
+    double estimated_error() const override;
+    CertifiedError certified_error() const override { return check_.found(); }
     std::vector<std::string> explain() const override;
     std::shared_ptr<PencilField> field() const override;
 
@@ -45,6 +48,7 @@ private:
     double progress() const;
     void count_blind(int surfels);
     void close_series();
+    void check();
 
     RenderContext& context_;
     std::unique_ptr<Frame> frame_;
@@ -57,6 +61,7 @@ private:
     int order_ = 0;                          // reflections, 0: emission
     int projected_ = 0;                      // sets so far
     BounceSeries series_;
+    LineCheck check_;
     std::unique_ptr<FieldSum> field_sum_;  // of all sets but that of emission, if it is to be kept
 };
 

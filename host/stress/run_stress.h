@@ -12,7 +12,7 @@ namespace pencil {
 /// Every case ends within this time on a machine of two cores [s].
 constexpr double stress_seconds = 30;
 
-enum class Verdict { holds, fails, known };
+enum class Verdict { holds, fails };
 
 struct StressResult {
     StressCase row;
@@ -23,13 +23,10 @@ struct StressResult {
     bool stopped = false;  // by `progress`: there is no verdict
 };
 
-/// "holds", "FAILS", "fails, known".
+/// "holds", "FAILS".
 std::string to_string(Verdict verdict);
 
-/// What ends a case with an error is part of the result, and so is what takes too long. A reason that is known excuses only what it is about.
+/// What ends a case with an error is part of the result, and so is what takes too long.
 StressResult run_case(const StressCase& row, const std::shared_ptr<Device>& device, const Progress& progress = {});
-
-/// Holds, or does not for the reason that is known of the row.
-bool as_expected(const StressResult& result, const Measurement& m);
 
 }  // namespace pencil

@@ -33,9 +33,7 @@ struct StressCase {
     std::string name;   // "furnace-0.9999": unique, of letters, digits, dots and dashes
     std::string scene;  // in words, with what is done to it
     std::function<std::vector<Measurement>(const StressRun&)> run;
-    bool quick = true;                   // part of the default run and of the tests: a second or two
-    std::string known{};                 // why it does not hold today; empty where it does
-    std::vector<std::string> excused{};  // the measurements that need not hold for this reason
+    bool quick = true;  // part of the default run and of the tests: a second or two
 };
 
 }  // namespace pencil

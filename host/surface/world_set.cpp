@@ -35,8 +35,9 @@ constexpr double further_rounds = 1;
 constexpr float step_coarser = 1.3F;
 /// Rounds of pencils on what the last round sees: light goes round corners in that many steps at most until the fill.
 constexpr int most_rounds = 8;
-/// The fill adds at most so many pencils for each one asked for, this share of the spacing apart.
+/// The fill adds at most so many pencils for each one asked for, or so many, where one stands for all that faces a way, this share of the spacing apart.
 constexpr double most_fill = 0.5;
+constexpr std::size_t least_fill = 32;
 constexpr float fill_spacing = 0.25F;
 /// Width of the maps from the centres.
 constexpr int world_map = 8;
@@ -91,7 +92,7 @@ void WorldSet::cover(const SurfacePencils& seeds, float spacing) {
         from = pencils_.count;
         extend(chosen);
     }
-    fill({fill_spacing * spacing_, most(most_fill)});
+    fill({fill_spacing * spacing_, std::max(most(most_fill), least_fill)});
     shared_ = SharedPoints(seen_.points(), link_seen(), static_cast<std::size_t>(pencils_.count), static_cast<std::size_t>(seeds_),
                            static_cast<std::size_t>(pencils_.texels()));
 }
