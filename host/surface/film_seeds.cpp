@@ -3,11 +3,16 @@
 #include <algorithm>
 
 #include "surface/place_surface_pencils.h"
+#include "surface/surface_pass.h"
 
 namespace pencil {
 
 namespace {
 
+/// Spacing of seeds, in terms of the coarsest film pencils of the first pass.
+constexpr int seed_spacing = 8;
+/// As many pixels look as there are such pencils, but so many at most.
+constexpr int most_looks = 1 << 14;
 /// Of sensors.
 constexpr int least_seeds = 256, most_seeds = 1024;
 
@@ -26,6 +31,16 @@ std::vector<uint> pixels_of_cells(const FilmPixels& pixels, int spacing) {
         found.push_back(static_cast<uint>(pixel));
     }
     return found;
+}
+
+std::vector<uint> seeding_pixels(const FilmPixels& pixels, const Camera& camera) {
+    return pixels_of_cells(pixels, seed_spacing * coarsest_spacing(camera));
+}
+
+std::vector<uint> looking_pixels(const FilmPixels& pixels, const Camera& camera) {
+    int spacing = coarsest_spacing(camera);
+    while (static_cast<double>(camera.width) * camera.height > static_cast<double>(most_looks) * spacing * spacing) spacing *= 2;
+    return pixels_of_cells(pixels, spacing);
 }
 
 SurfacePencils seed_pencils(Kernels& kernels, const FilmPixels& pixels, const std::vector<uint>& chosen, int map) {

@@ -16,8 +16,6 @@ namespace pencil {
 
 namespace {
 
-/// Spacing of the pencils whose texels show where light is reflected, in terms of the coarsest of the first pass.
-constexpr int seed_spacing = 8;
 /// Width of the maps of those that look, between them, whether anything is missed. So many join them at most for each one; and this share of what is
 /// seen is no reason to place a set once more.
 constexpr int look_map = 4;
@@ -208,12 +206,11 @@ void SurfaceMethod::transfer(Archive& archive) {
 void SurfaceMethod::cover_world(const FilmPixels& pixels) {
     Kernels& kernels = context_.kernels;
     if (pixels.film.is_row_of_sensors()) return solver_->place(seed_sensors(kernels, pixels.film, film_map), course_.guess);
-    const int coarsest = coarsest_spacing(context_.flat.camera);
-    std::vector<uint> seeds = pixels_of_cells(pixels, seed_spacing * coarsest);
+    std::vector<uint> seeds = seeding_pixels(pixels, context_.flat.camera);
     const std::size_t most = most_missed * seeds.size();
     seeds.insert(seeds.end(), course_.missed.begin(), course_.missed.end());
     solver_->place(seed_pencils(kernels, pixels, seeds, film_map), course_.guess);
-    WorldSet::Missed missed = solver_->missed(seed_pencils(kernels, pixels, pixels_of_cells(pixels, coarsest), look_map));
+    WorldSet::Missed missed = solver_->missed(seed_pencils(kernels, pixels, looking_pixels(pixels, context_.flat.camera), look_map));
     missed.keys.resize(std::min(missed.keys.size(), most - std::min(most, course_.missed.size())));
     course_.missed.insert(course_.missed.end(), missed.keys.begin(), missed.keys.end());
     if (missed.share <= tolerated_miss || missed.keys.empty()) return;
