@@ -43,6 +43,13 @@ std::vector<uint> looking_pixels(const FilmPixels& pixels, const Camera& camera)
     return pixels_of_cells(pixels, spacing);
 }
 
+std::vector<uint> others(const std::vector<uint>& pixels, const std::vector<uint>& known, std::size_t most) {
+    std::vector<uint> found;
+    for (const uint pixel : pixels)
+        if (found.size() < most && std::find(known.begin(), known.end(), pixel) == known.end()) found.push_back(pixel);
+    return found;
+}
+
 SurfacePencils seed_pencils(Kernels& kernels, const FilmPixels& pixels, const std::vector<uint>& chosen, int map) {
     ChosenSurfels surfels;
     for (const uint pixel : chosen)

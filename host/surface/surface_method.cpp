@@ -211,7 +211,7 @@ void SurfaceMethod::cover_world(const FilmPixels& pixels) {
     seeds.insert(seeds.end(), course_.missed.begin(), course_.missed.end());
     solver_->place(seed_pencils(kernels, pixels, seeds, film_map), course_.guess);
     WorldSet::Missed missed = solver_->missed(seed_pencils(kernels, pixels, looking_pixels(pixels, context_.flat.camera), look_map));
-    missed.keys.resize(std::min(missed.keys.size(), most - std::min(most, course_.missed.size())));
+    missed.keys = others(missed.keys, seeds, most - std::min(most, course_.missed.size()));
     course_.missed.insert(course_.missed.end(), missed.keys.begin(), missed.keys.end());
     if (missed.share <= tolerated_miss || missed.keys.empty()) return;
     seeds.insert(seeds.end(), missed.keys.begin(), missed.keys.end());
