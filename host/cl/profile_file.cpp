@@ -116,7 +116,7 @@ ReadProfile read_profile(const DeviceInfo& info) {
 }
 
 fs::path profile_folder() {
-    const fs::path folder = private_cache(folder_name, true);
+    fs::path folder = private_cache(folder_name, true);
     if (folder.empty())
         throw OutputError(
             "no folder for profiles: neither XDG_CACHE_HOME nor HOME names a place where pencil/profiles is this user's alone");
@@ -129,7 +129,7 @@ fs::path write_profile(const DeviceInfo& info, const DeviceProfile& profile) {
                     {"kernels", kernels_fingerprint()},
                     {"profile", profile_json(profile)}};
     const std::string text = json_text(json, 2) + "\n";
-    const fs::path file = file_of(profile_folder(), info);
+    fs::path file = file_of(profile_folder(), info);
     write_private_file(file, text.data(), text.size());
     return file;
 }

@@ -63,6 +63,7 @@ Defines to_defines(const Features& features, int block) {
 
 void Kernels::build_ahead(const std::vector<SureKernel>& sure) {
     std::vector<KernelBuild> builds;
+    builds.reserve(sure.size());
     for (const SureKernel& kernel : sure) builds.push_back({kernel.name, kernel.items, to_defines(features_, block())});
     ahead_ = std::make_unique<BuildAhead>(*device(), builds);
 }

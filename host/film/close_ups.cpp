@@ -17,6 +17,7 @@ std::vector<glm::vec2> steps_about(int each, int samples, const Turn& turn) {
     const glm::dvec2 shift(random_unit(turn.seed, 105, turn.index), random_unit(turn.seed, 106, turn.index));
     const double width = 1 / std::sqrt(static_cast<double>(samples));
     std::vector<glm::vec2> steps;
+    steps.reserve(static_cast<std::size_t>(each));
     for (int k = 0; k < each; ++k) steps.emplace_back(width * (r2_sequence(static_cast<std::uint64_t>(k), shift) - 0.5));
     return steps;
 }

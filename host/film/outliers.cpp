@@ -138,7 +138,8 @@ private:
         const Window near = window(i, neighbours), wide = window(i, about);
         double most = means.over(wide) / wide.size();
         for (int y = near.y0; y < near.y1; ++y)
-            for (int x = near.x0; x < near.x1; ++x) most = std::max(most, rest_[static_cast<std::size_t>(y * width_ + x)]);
+            for (int x = near.x0; x < near.x1; ++x)
+                most = std::max(most, rest_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)]);
         limit_[i] = far_above * std::max(most, 0.0);
         double sum = 0, squares = 0, count = 0;
         for (std::size_t image = 0; image < images_.size(); ++image) {

@@ -16,6 +16,7 @@ constexpr int most_asked = 256;
 Surfels some_of(Kernels& kernels, const Surfels& film) {
     const int count = std::min(film.count, most_asked);
     std::vector<int> list;
+    list.reserve(static_cast<std::size_t>(count));
     for (int k = 0; k < count; ++k) list.push_back(static_cast<int>((static_cast<std::int64_t>(2 * k + 1) * film.count) / (2 * count)));
     Surfels some(kernels, count, "surfels of a view");
     if (count > 0)
@@ -72,7 +73,7 @@ FieldSubset::FieldSubset(const PencilField& field, FieldSource& source, const st
 std::vector<int> FieldSubset::choose(Kernels& kernels, const DeviceScene& scene, const Surfels& film) {
     if (!centres_on_device_.allocated()) centres_on_device_ = Buffer<float4>(kernels.device(), all_centres_, "centres of a field");
     const std::vector<int> seen = find_viewers(kernels, scene, some_of(kernels, film), centres_on_device_);
-    const std::vector<int> changed = slots_.choose(seen);
+    std::vector<int> changed = slots_.choose(seen);
     for (const int slot : changed) load(slot);
     const int slots = chosen_.count();
     share_ = field_.free_share * slots / (field_.count() * subset_density(seen, slots));
@@ -88,13 +89,14 @@ void FieldSubset::load(int slot) {
         ++read_;
     }
     chosen_.centres[static_cast<std::size_t>(slot)] = field_.centres[static_cast<std::size_t>(pencil)];
-    const auto row = static_cast<std::ptrdiff_t>(3 * map);
+    const auto row = std::ptrdiff_t{3} * map;
     for (int y = 0; y < map; ++y)
         std::copy_n(light.begin() + y * row, row, chosen_.light.begin() + static_cast<std::ptrdiff_t>(chosen_.index(slot, 0, y)));
 }
 
 std::vector<float4> FieldSubset::centres(const std::vector<int>& slots) const {
     std::vector<float4> centres;
+    centres.reserve(slots.size());
     for (const int slot : slots)
         centres.push_back(all_centres_[static_cast<std::size_t>(slots_.pencils()[static_cast<std::size_t>(slot)])]);
     return centres;

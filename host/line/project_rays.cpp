@@ -22,7 +22,7 @@ constexpr double cpu_looks = 1 << 26, gpu_looks = 1 << 30;
 /// so many pencils and rays together.
 constexpr double fewest_cpu_items = 2, most_cpu_items = 16, cpu_sites = 4096, gpu_items = 512;
 /// Part of the device's memory that rays may take.
-constexpr std::uint64_t memory_part = 16;
+constexpr double memory_part = 16;
 
 RayChoice choose_rays(const RenderOptions& options, int rays, int series) {
     const auto side = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(rays))));
@@ -49,7 +49,7 @@ RayStretch ray_stretch(const Kernels& kernels, const RayChoice& choice, int penc
     const double items = device.is_cpu ? std::clamp(cpu_sites / (pencils + choice.count()), fewest_cpu_items, most_cpu_items) : gpu_items;
     const double enough = item * device.compute_units * items;
     const auto ray_bytes = static_cast<double>(RAY_FIELDS * sizeof(float));
-    const double held = static_cast<double>(device.global_memory / memory_part) / (ray_bytes * choice.count());
+    const double held = static_cast<double>(device.global_memory) / memory_part / (ray_bytes * choice.count());
     const double wanted = choice.alone ? at_once / choice.count() : enough;  // a sum of rays alone is nothing beside the rays
     const double surfels = std::min({wanted, held, at_once}), most = 1 << 30;
     return {std::max(static_cast<int>(std::min(surfels, most)) / surfel_multiple, 1) * surfel_multiple,

@@ -155,6 +155,7 @@ std::vector<SensorPoint> read_sensor_points(const std::filesystem::path& file) {
 
 std::vector<Sensor> all_sensors(const std::vector<SensorPoint>& points, const Scene& scene) {
     std::vector<Sensor> sensors;
+    sensors.reserve(points.size());
     for (const SensorPoint& point : points) sensors.push_back({std::to_string(sensors.size() + 1), point});
     for (const IrradianceMeter& meter : scene.meters) {
         if (scene.shapes[meter.shape].triangle_count == 0)

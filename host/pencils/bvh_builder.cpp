@@ -25,7 +25,8 @@ Box box_of(const RTCBounds& b) {
 
 template <typename T>
 T* allocate(RTCThreadLocalAllocator allocator, std::size_t count) {
-    return new (rtcThreadLocalAlloc(allocator, count * sizeof(T), alignof(T))) T[count];
+    // T may be a pointer: nodes hold those of their children.
+    return new (rtcThreadLocalAlloc(allocator, count * sizeof(T), alignof(T))) T[count];  // NOLINT(bugprone-sizeof-expression)
 }
 void* create_node(RTCThreadLocalAllocator allocator, unsigned count, void*) {
     auto* node = allocate<BuildNode>(allocator, 1);

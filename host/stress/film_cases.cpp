@@ -40,7 +40,7 @@ Measurements small_sky(const StressRun& run, int width, int height) {
     Environment sky;
     sky.width = width;
     sky.height = height;
-    sky.texels.assign(static_cast<std::size_t>(width * height), glm::vec3(1.0F));
+    sky.texels.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), glm::vec3(1.0F));
     scene.environment = sky;
     look(scene, {0, 1, 0.2}, {0, 0, 0}, 40, 16, 12);
     return {below("largest error", error_of(render(scene, stress_options(MethodName::surface), run).layers, 0.5), 1e-3)};
@@ -51,7 +51,7 @@ Measurements small_texture(const StressRun& run, int size) {
     Texture texture;
     texture.width = texture.height = size;
     const std::uint16_t half = 0x3800, one = 0x3c00;  // as half floats
-    texture.texels.assign(static_cast<std::size_t>(size * size), glm::u16vec4(half, half, half, one));
+    texture.texels.assign(static_cast<std::size_t>(size) * static_cast<std::size_t>(size), glm::u16vec4(half, half, half, one));
     scene.textures.push_back(texture);
     scene.uvs.assign(scene.positions.size(), glm::vec2(0.3F, -7.2F));
     for (SceneMaterial& m : scene.materials) m.albedo_texture = 0;

@@ -22,7 +22,7 @@ constexpr const char *of_paths = "mean over the path tracer's", *of_truth = "mea
                      *of_paths_in_silence = "error of the mean, 0 if it is said to be wrong";
 
 /// What a furnace of albedo 0.5 shows everywhere.
-Measurements even_two(const StressRun& run, const Scene& scene, RenderOptions options) {
+Measurements even_two(const StressRun& run, const Scene& scene, const RenderOptions& options) {
     const RenderResult result = render(scene, options, run);
     return {near(of_truth, mean_of(result.layers) / 2, 1, 0.002), below("largest error", error_of(result.layers, 2), 0.02),
             below("passes", result.stats.passes, 16)};

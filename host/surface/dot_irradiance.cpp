@@ -10,7 +10,7 @@ constexpr int parts = 64;
 }  // namespace
 
 std::vector<glm::dvec3> dot_irradiance(Kernels& kernels, const Buffer<float4>& basis, int vectors, const Buffer<float4>& other, int count) {
-    const auto items = static_cast<std::size_t>(vectors * parts);
+    const auto items = static_cast<std::size_t>(vectors) * static_cast<std::size_t>(parts);
     Buffer<float4> sums(kernels.device(), items, "inner products");
     kernels.get("dot_irradiance").args(basis, vectors, other, count, parts, sums).run(items, "dot irradiance");
     std::vector<glm::dvec3> products(static_cast<std::size_t>(vectors), glm::dvec3(0));

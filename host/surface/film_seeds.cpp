@@ -25,7 +25,7 @@ std::vector<uint> pixels_of_cells(const FilmPixels& pixels, int spacing) {
     std::vector<uint> found;
     for (std::size_t pixel = 0; pixel < pixels.counts.size(); ++pixel) {
         const int x = static_cast<int>(pixel) % film.width(), y = static_cast<int>(pixel) / film.width();
-        const auto cell = static_cast<std::size_t>(y / spacing * columns + x / spacing);
+        const auto cell = static_cast<std::size_t>(y / spacing) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(x / spacing);
         if (seeded[cell] || !pixels.shows(pixel)) continue;
         seeded[cell] = true;
         found.push_back(static_cast<uint>(pixel));

@@ -115,6 +115,7 @@ private:
             Hessenberg& h = small_[static_cast<std::size_t>(c)];
             if (h.ended()) continue;
             std::vector<double> own;
+            own.reserve(column.size() + 1);
             for (const glm::dvec3& entry : column) own.push_back(entry[c]);
             own.push_back(last[c]);
             h.add(own);

@@ -133,6 +133,7 @@ private:
     void choose_group(const std::string& kernel, const std::vector<Trial>& trials) {
         if (trials.size() <= first_variant) return;
         std::vector<double> ratios;
+        ratios.reserve(trials.size());
         for (const Trial& trial : trials) ratios.push_back(time_ratio(trial, trials[0], {kernel}));
         const double fastest = *std::min_element(ratios.begin() + first_variant, ratios.end());
         const double wins = 1 - std::max(margin(trials, {kernel}), typical_margin(trials));

@@ -48,6 +48,7 @@ std::vector<float4> centres_in(const FlatScene& flat) {
         middle += points.back() / static_cast<float>(maps_of_batch);
     }
     std::vector<float4> centres;
+    centres.reserve(points.size());
     for (const glm::vec3& p : points) centres.emplace_back(0.5F * (p + middle), 0.0F);
     return centres;
 }

@@ -1,6 +1,8 @@
 // From the nodes of the parsed file to a Scene: each primitive of each node's mesh is a shape.
 #include "scene/gltf/read_gltf.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "scene/default_view.h"
@@ -58,7 +60,8 @@ private:
         for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
             const bool alone = mesh.primitives.size() == 1;
             const std::string number = std::to_string(i);
-            primitive(mesh.primitives[i], to_world, alone ? id : id + " " + number, alone ? label : label + " primitive " + number);
+            primitive(mesh.primitives[i], to_world, alone ? id : fmt::format("{} {}", id, number),
+                      alone ? label : fmt::format("{} primitive {}", label, number));
         }
     }
 

@@ -43,7 +43,7 @@ std::uint32_t MaterialReader::read(int index, bool vertex_colours) {
         file_.approximate(label(index) + " has a texture and colours of vertices; only the texture is used");
     if (vertex_colours && result.albedo_texture == no_texture) result.albedo_texture = textures_.vertex_colours();
     const int opacity_texture = material.pbrMetallicRoughness.baseColorTexture.index >= 0 ? result.albedo_texture : no_texture;
-    if (scattering.transmits()) result = partly_transmitting(std::move(result), scattering);
+    if (scattering.transmits()) result = partly_transmitting(result, scattering);
     result = partly_covering(std::move(result), material, opacity_texture);
     if (material.occlusionTexture.index >= 0) file_.warn("occlusion textures are left out: light is computed");
     const auto number = static_cast<std::uint32_t>(add(result));
@@ -52,7 +52,7 @@ std::uint32_t MaterialReader::read(int index, bool vertex_colours) {
 }
 
 /// All of the light that no metal reflects, or a share of it.
-SceneMaterial MaterialReader::partly_transmitting(SceneMaterial reflecting, Scattering& scattering) {
+SceneMaterial MaterialReader::partly_transmitting(const SceneMaterial& reflecting, Scattering& scattering) {
     SceneMaterial transmitting = scattering.transmitting();
     transmitting.id = reflecting.id;
     transmitting.normal_texture = reflecting.normal_texture;

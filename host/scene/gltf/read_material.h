@@ -27,7 +27,7 @@ private:
     const tinygltf::Material& at(int material) const;
     std::string label(int material) const;
     std::int64_t add(const SceneMaterial& material);
-    SceneMaterial partly_transmitting(SceneMaterial reflecting, Scattering& scattering);
+    SceneMaterial partly_transmitting(const SceneMaterial& reflecting, Scattering& scattering);
     SceneMaterial partly_covering(SceneMaterial result, const tinygltf::Material& material, int texture);
     /// The second with the probability `weight`, times a texture; appends both.
     SceneMaterial blend(const SceneMaterial& first, const SceneMaterial& second, float weight, int texture);
