@@ -133,6 +133,16 @@ std::vector<PixelLooks> ErrorCheck::looks_at(const std::vector<Point>& points, c
     return looks;
 }
 
+/// What errors are relative to: the mean of the image, or, where it is black, of what paths find.
+double ErrorCheck::scale_of(const std::vector<Point>& points, const std::vector<float>& beauty) {
+    const double mean = std::accumulate(beauty.begin(), beauty.end(), 0.0) / static_cast<double>(beauty.size());
+    if (mean > 0 || !std::isfinite(mean) || points.empty()) return mean;
+    double found = 0;
+    for (const Point& p : points)
+        for (int c = 0; c < 3; ++c) found += (p.first[c] + p.second[c]) / 2;
+    return found / (3 * static_cast<double>(points.size()));
+}
+
 /// What a value of the beauty holds of reflected light.
 double ErrorCheck::reflected(const std::vector<float>& beauty, std::size_t i) const {
     const auto shown = static_cast<double>(beauty[i]);
@@ -141,10 +151,11 @@ double ErrorCheck::reflected(const std::vector<float>& beauty, std::size_t i) co
 
 CertifiedError ErrorCheck::certify(const std::vector<float>& beauty, const std::vector<float>& usual) const {
     CertifiedError error;
-    const double mean = std::accumulate(beauty.begin(), beauty.end(), 0.0) / static_cast<double>(beauty.size());
     const std::vector<Point>& points = points_.empty() ? half_done_ : points_;
+    const double mean = scale_of(points, beauty);
+    if (points.size() < 2 || !std::isfinite(mean)) return error;
     error.points = static_cast<int>(points.size());
-    if (points.size() < 2 || !(mean > 0)) return error;
+    if (mean == 0) return error;
     if (points.size() >= many_looks * beauty.size() / 3) return certify_pixels(looks_at(points, beauty), usual, mean);
     std::vector<double> squares, steps;
     for (const Point& p : points) {

@@ -29,7 +29,8 @@ public:
     /// come from the visibility samples of two films, so that the error of these is seen, too. DeviceError, MemoryError.
     void add(const Film& film, int paths, std::uint64_t seed);
 
-    /// Of `beauty`, rgb per pixel, against all that was looked at so far.
+    /// Of `beauty`, rgb per pixel, against all that was looked at so far. Nothing of an image that holds values that are not finite. Errors of a
+    /// black one are relative to what paths find.
     CertifiedError certify(const std::vector<float>& beauty, const std::vector<float>& usual) const;
 
     /// All that was looked at; ArchiveError unless it is of a film of `pixels` pixels.
@@ -41,6 +42,7 @@ private:
         glm::dvec3 first, second;  // independent estimates of what it shows of reflected light
     };
 
+    static double scale_of(const std::vector<Point>& points, const std::vector<float>& beauty);
     std::vector<PixelLooks> looks_at(const std::vector<Point>& points, const std::vector<float>& beauty) const;
     double reflected(const std::vector<float>& beauty, std::size_t i) const;
     std::vector<glm::dvec3> estimate(const Film& film, const std::vector<std::size_t>& pixels, int paths, std::uint64_t seed) const;

@@ -66,8 +66,7 @@ RenderContext::RenderContext(const Scene& scene_to_render, const RenderOptions& 
       kernels(device, complete_features(flat, options, needs, *device)),
       prepared(preparation(flat, needs, *device)),
       device_scene(prepare_scene(*this, helping)) {
-    maps_emit = flat.sky.width > 0 || kernels.features().lobes;
-    for (std::size_t i = 0; i < forms.size(); ++i) maps_emit = maps_emit || (scene.shapes[i].emits && forms[i] == LightForm::maps);
+    maps_emit = flat.sky.width > 0 || kernels.features().lobes || maps_carry_emitters(scene, forms);
     for (std::string& sentence : approximations(scene, needs)) stats.warnings.push_back("approximated: " + std::move(sentence));
     kernels.before_launch([this] { clock.poll(); });
 }

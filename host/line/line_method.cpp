@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtx/component_wise.hpp>
 #include <limits>
 
 #include "certify/error_check.h"
@@ -86,9 +85,10 @@ MethodNeeds line_needs(const Scene& scene, const std::vector<LightForm>& forms, 
                                             : "line projection knows the pinhole camera alone; take --method surface");
     MethodNeeds needs;
     if (!options.field && options.bounces != 0) needs.kernels = sure_kernels(form);
-    if (LineCheck::wanted(options)) needs.kernels.push_back({"trace_checks"});
+    const bool checked = LineCheck::wanted(options, maps_carry_emitters(scene, forms));
+    if (checked) needs.kernels.push_back({"trace_checks"});
     needs.maps = planned_maps(scene, forms, options);
-    needs.hierarchy = follows_rays(options.placement) || weights_need_rays(form) || shows_part(options) || LineCheck::wanted(options);
+    needs.hierarchy = follows_rays(options.placement) || weights_need_rays(form) || shows_part(options) || checked;
     needs.map_kind = kind;
     needs.atlas = options.bounces != 0;
     needs.weights = form;
@@ -172,11 +172,11 @@ void LineMethod::show_levels() {
         field_sum_->add(set_, glm::dvec3(1.0));
         if (context_.maps_emit) field_sum_->add(emission_of(set_), glm::dvec3(-1.0));
     }
-    const double seconds = project_set();
-    frame_->finish_bounce(FilmLayers::indirect, set_.maps->count, seconds);
-    if (context_.options.bounces >= 0 || levels.series().steps() <= 1) return;
-    context_.stats.tail_closed = !levels.series().diverges();
-    context_.stats.residual = levels.series().tail_share();
+    series_ = levels.series();
+    show_set();
+    if (context_.options.bounces >= 0 || series_.steps() <= 1) return;
+    context_.stats.tail_closed = !series_.diverges();
+    context_.stats.residual = series_.tail_share();
 }
 
 /// Film and direct light.
@@ -185,7 +185,7 @@ bool LineMethod::begin() {
     frame_ =
         std::make_unique<Frame>(context_, options.aovs, options.light_samples, light_map_size(options.map), Turn{options.seed, 0, true});
     order_ = context_.maps_emit ? 0 : 1;
-    if (LineCheck::wanted(options)) check_.begin(*frame_);
+    if (LineCheck::wanted(options, context_.maps_emit)) check_.begin(*frame_);
     return frame_->add_direct() && (options.field || context_.wanted(order_ + 1));
 }
 
@@ -285,7 +285,7 @@ void LineMethod::close_series() {
 }
 
 void LineMethod::check() {
-    if (LineCheck::wanted(context_.options) && !series_.diverges()) check_.end(context_, *frame_, glm::compMax(series_.ratio()));
+    if (LineCheck::wanted(context_.options, context_.maps_emit)) check_.end(context_, *frame_, series_);
 }
 
 double LineMethod::estimated_error() const { return join_errors(std::numeric_limits<double>::infinity(), check_.found()); }

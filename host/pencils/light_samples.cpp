@@ -219,6 +219,12 @@ std::vector<double> square_distances(const Scene& scene) {
 
 }  // namespace
 
+bool maps_carry_emitters(const Scene& scene, const std::vector<LightForm>& forms) {
+    for (std::size_t i = 0; i < forms.size(); ++i)
+        if (scene.shapes[i].emits && forms[i] == LightForm::maps) return true;
+    return false;
+}
+
 std::vector<LightForm> choose_light_forms(const Scene& scene, bool all_samples, bool all_maps) {
     const std::vector<double> areas = shape_areas(scene), distances = square_distances(scene);
     double total = std::accumulate(areas.begin(), areas.end(), 0.0);

@@ -30,6 +30,8 @@ std::vector<float> near_areas(const FlatScene& flat, const std::vector<LightSamp
 /// `automatic` per emitting shape: an emitter of more than large_emitter of the scene's surface is carried by the maps, unless it is so far from
 /// all that does not emit that it is small from there: its square distance more than far_emitter times its area. From there maps hardly see it.
 std::vector<LightForm> choose_light_forms(const Scene& scene, bool all_samples, bool all_maps);
+/// True if some emitter is carried by maps.
+bool maps_carry_emitters(const Scene& scene, const std::vector<LightForm>& forms);
 
 /// Share of the scene's surface above which point samples of an emitter lie too near what they light.
 constexpr double large_emitter = 0.05;

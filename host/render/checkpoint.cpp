@@ -20,7 +20,7 @@ namespace pencil {
 
 namespace {
 
-const std::string first_line = "pencil checkpoint 2\n";
+const std::string first_line = "pencil checkpoint 3\n";
 constexpr std::size_t hash_digits = 16;
 /// Of the time, for checkpoints.
 constexpr double share = 0.02;

@@ -1,6 +1,7 @@
 #include "surface/film_seeds.h"
 
 #include <algorithm>
+#include <set>
 
 #include "surface/place_surface_pencils.h"
 #include "surface/surface_pass.h"
@@ -11,8 +12,8 @@ namespace {
 
 /// Spacing of seeds, in terms of the coarsest film pencils of the first pass.
 constexpr int seed_spacing = 8;
-/// As many pixels look as there are such pencils, but so many at most.
-constexpr int most_looks = 1 << 14;
+/// As many pixels look as there are such pencils, but not many more than this, unless seeds are as many.
+constexpr int usual_looks = 1 << 14;
 /// Of sensors.
 constexpr int least_seeds = 256, most_seeds = 1024;
 
@@ -37,17 +38,23 @@ std::vector<uint> seeding_pixels(const FilmPixels& pixels, const Camera& camera)
     return pixels_of_cells(pixels, seed_spacing * coarsest_spacing(camera));
 }
 
-std::vector<uint> looking_pixels(const FilmPixels& pixels, const Camera& camera) {
-    int spacing = coarsest_spacing(camera);
-    while (static_cast<double>(camera.width) * camera.height > static_cast<double>(most_looks) * spacing * spacing) spacing *= 2;
-    return pixels_of_cells(pixels, spacing);
+std::vector<uint> looking_pixels(const FilmPixels& pixels, const Camera& camera, const std::vector<uint>& seeds) {
+    const int coarsest = coarsest_spacing(camera);
+    int spacing = coarsest;
+    while (2 * spacing<seed_spacing * coarsest&& static_cast<double>(camera.width) * camera.height> static_cast<double>(usual_looks) *
+           spacing * spacing)
+        spacing *= 2;
+    const std::set<uint> known(seeds.begin(), seeds.end());
+    std::vector<uint> found = pixels_of_cells(pixels, spacing);
+    found.erase(std::remove_if(found.begin(), found.end(), [&](uint pixel) { return known.count(pixel) > 0; }), found.end());
+    return found;
 }
 
-std::vector<uint> others(const std::vector<uint>& pixels, const std::vector<uint>& known, std::size_t most) {
-    std::vector<uint> found;
-    for (const uint pixel : pixels)
-        if (found.size() < most && std::find(known.begin(), known.end(), pixel) == known.end()) found.push_back(pixel);
-    return found;
+std::vector<uint> some_of(const std::vector<uint>& pixels, std::size_t most) {
+    if (pixels.size() <= most) return pixels;
+    std::vector<uint> some(most);
+    for (std::size_t k = 0; k < most; ++k) some[k] = pixels[k * pixels.size() / most];
+    return some;
 }
 
 SurfacePencils seed_pencils(Kernels& kernels, const FilmPixels& pixels, const std::vector<uint>& chosen, int map) {

@@ -8,11 +8,11 @@ namespace pencil {
 
 /// A pixel of each cell of spacing x spacing pixels that shows something.
 std::vector<uint> pixels_of_cells(const FilmPixels& pixels, int spacing);
-/// Pixels on which world sets begin, and those between them, where a look tells whether these missed anything.
+/// Pixels on which world sets begin, and others between these `seeds`, where a look tells whether they miss anything.
 std::vector<uint> seeding_pixels(const FilmPixels& pixels, const Camera& camera);
-std::vector<uint> looking_pixels(const FilmPixels& pixels, const Camera& camera);
-/// So many of these pixels at most that are not among `known`.
-std::vector<uint> others(const std::vector<uint>& pixels, const std::vector<uint>& known, std::size_t most);
+std::vector<uint> looking_pixels(const FilmPixels& pixels, const Camera& camera, const std::vector<uint>& seeds);
+/// Of these so many at most, all over the image.
+std::vector<uint> some_of(const std::vector<uint>& pixels, std::size_t most);
 /// A pencil on the first surfel of each of these pixels that shows something, with maps of map x map texels; their keys are the pixels.
 SurfacePencils seed_pencils(Kernels& kernels, const FilmPixels& pixels, const std::vector<uint>& chosen, int map);
 /// Pencils on sensors, several on each where these are few.

@@ -26,6 +26,12 @@ void PassCourse::transfer(Archive& archive) {
                         "a bright spot is nowhere");
 }
 
+void PassCourse::expect_pixels(std::size_t pixels) const {
+    Archive::expect(placed_split.empty() || placed_split.size() == pixels, "pixels of another image are split");
+    for (const std::vector<uint>* seeds : {&missed, &missed_before})
+        for (const uint pixel : *seeds) Archive::expect(pixel < pixels, "a seed lies outside the image");
+}
+
 void transfer_stats(RenderStats& stats, Archive& archive) {
     archive(stats.bounces, stats.residual, stats.passes, stats.world_pencils, stats.film_pencils, stats.film_surfels, stats.converged);
     archive(stats.bounce_solve, stats.warnings, stats.stopped);

@@ -31,6 +31,8 @@ struct PassCourse {
 
     /// ArchiveError for what no render leaves behind.
     void transfer(Archive& archive);
+    /// ArchiveError unless it is of an image of so many pixels.
+    void expect_pixels(std::size_t pixels) const;
 };
 
 /// The part of the stats that passes add to.

@@ -26,13 +26,12 @@ constexpr double well_known = 0.7;
 
 /// Asked after every pass, few passes agree by chance sooner or later: they have to do so twice, unless they do so well.
 bool Patience::knows_the_mean(const PassesSoFar& so_far) {
-    if (so_far.work >= mean_work) return true;
     const double share = mean_share * std::sqrt(target_), wanted = std::clamp(usual_mean_error, share / 2, share);
     const CertifiedError& certified = so_far.certified;
     const bool contradicted = certified.points > 1 && std::abs(certified.mean_bias) > std::max(2 * certified.mean_error, wanted);
-    const bool knows = !contradicted && so_far.mean_error <= wanted, twice = knows && knew_;
-    knew_ = knows;
-    return twice || (knows && so_far.mean_error <= well_known * wanted);
+    const double before = known_to_;
+    known_to_ = contradicted ? std::numeric_limits<double>::infinity() : so_far.mean_error;
+    return so_far.work >= mean_work || (known_to_ <= wanted && std::min(before, known_to_ / well_known) <= wanted);
 }
 
 Patience::Answer Patience::ask(const PassesSoFar& so_far) {

@@ -1,6 +1,7 @@
 // Whether the passes so far are enough, where no time is given: by the estimated error, or because it falls no further.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -39,15 +40,15 @@ public:
     };
     Answer ask(const PassesSoFar& so_far);
 
-    void transfer(Archive& archive) { archive(knew_, error_passes_, last_error_); }
+    void transfer(Archive& archive) { archive(known_to_, error_passes_, last_error_); }
 
 private:
     bool knows_the_mean(const PassesSoFar& so_far);
 
     double target_;
-    bool knew_ = false;      // the mean, after the last pass
-    int error_passes_ = 0;   // a power of two,
-    double last_error_ = 0;  // after which the error was this
+    double known_to_ = std::numeric_limits<double>::infinity();  // the mean, after the last pass; infinite where light paths contradict
+    int error_passes_ = 0;                                       // a power of two,
+    double last_error_ = 0;                                      // after which the error was this
 };
 
 }  // namespace pencil

@@ -191,13 +191,7 @@ void SurfaceMethod::transfer(Archive& archive) {
     if (!archive.reads()) return;
     Archive::expect(archive.remaining() == 0 && course_.index == mean_.count(), "there is more or less than a solve");
     Archive::expect(std::isfinite(seconds) && seconds >= 0, "time is none");
-    const Camera& film = context_.flat.camera;
-    Archive::expect(course_.placed_split.empty() ||
-                        course_.placed_split.size() == static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height),
-                    "pixels of another image are split");
-    for (const std::vector<uint>* missed : {&course_.missed, &course_.missed_before})
-        for (const uint pixel : *missed)
-            Archive::expect(pixel < static_cast<uint>(film.width * film.height), "a seed lies outside the image");
+    course_.expect_pixels(static_cast<std::size_t>(context_.flat.camera.width) * static_cast<std::size_t>(context_.flat.camera.height));
     context_.clock.go_on_after(seconds);
     resume();
 }
@@ -210,8 +204,8 @@ void SurfaceMethod::cover_world(const FilmPixels& pixels) {
     const std::size_t most = most_missed * seeds.size();
     seeds.insert(seeds.end(), course_.missed.begin(), course_.missed.end());
     solver_->place(seed_pencils(kernels, pixels, seeds, film_map), course_.guess);
-    WorldSet::Missed missed = solver_->missed(seed_pencils(kernels, pixels, looking_pixels(pixels, context_.flat.camera), look_map));
-    missed.keys = others(missed.keys, seeds, most - std::min(most, course_.missed.size()));
+    WorldSet::Missed missed = solver_->missed(seed_pencils(kernels, pixels, looking_pixels(pixels, context_.flat.camera, seeds), look_map));
+    missed.keys = some_of(missed.keys, most - std::min(most, course_.missed.size()));
     course_.missed.insert(course_.missed.end(), missed.keys.begin(), missed.keys.end());
     if (missed.share <= tolerated_miss || missed.keys.empty()) return;
     seeds.insert(seeds.end(), missed.keys.begin(), missed.keys.end());
@@ -342,6 +336,8 @@ std::vector<std::string> SurfaceMethod::explain() const {
     if (solver_ && context_.wanted(2))
         lines.push_back(solver_->spots() > 0 ? fmt::format("bright spots: pencils send rays of their own to {}", solver_->spots())
                                              : "left out: rays to bright spots: rays in all directions find the light");
+    if (!course_.missed.empty())
+        lines.push_back(fmt::format("{} pixels see what the world set's first seeds missed: it begins there, too", course_.missed.size()));
     if (solver_ && course_.film_rays > 0 && check_length() > longest_check)
         lines.push_back("left out: check by light paths (too many reflections matter); the error is that of the spread of passes alone");
     return lines;

@@ -106,16 +106,18 @@ WorldSet::Missed WorldSet::missed(const SurfacePencils& looks) const {
     const std::vector<glm::ivec4> links = link_surfels(kernels_, scene_, surfels, pencils_, grid_).pencils.read();
     SeenPoints seen;
     seen.read_points(surfels);
-    PointThinner thinner(widest, alike);
-    const auto texels = static_cast<std::size_t>(looks.texels());
-    double lost = 0;
+    double lost = 0, reflects = 0;
     std::size_t next = 0;
     for (const SurfacePencil& look : looks.data.read(0, static_cast<std::size_t>(looks.count))) {
         const double before = lost;
-        for (const std::size_t end = next + texels; next < end; ++next) lost += seen.points()[next].albedo > 0 && links[next].x < 0 ? 1 : 0;
-        if (lost > before && thinner.add(glm::vec3(look.position), glm::vec3(look.normal), spacing_)) missed.keys.push_back(look.key);
+        for (const std::size_t end = next + static_cast<std::size_t>(looks.texels()); next < end; ++next) {
+            if (!(seen.points()[next].albedo > 0)) continue;
+            ++reflects;
+            if (links[next].x < 0) ++lost;
+        }
+        if (lost > before) missed.keys.push_back(look.key);
     }
-    missed.share = lost / static_cast<double>(next);
+    missed.share = lost / std::max(reflects, 1.0);
     return missed;
 }
 
@@ -233,7 +235,7 @@ float WorldSet::spacing_for(std::size_t count, float guess) {
         if (std::abs(factor - 1.0) < guess_tolerance) break;
         spacing = std::max(spacing * static_cast<float>(std::clamp(factor, 1.0 / most_step, most_step)), least_guess * middle);
     }
-    return spacing;
+    return std::min(spacing, widest);  // almost nothing that is seen may reflect
 }
 
 /// Surfels that are seen, from number `first` on that the thinner keeps: closer ones near viewers, wider ones if there

@@ -23,9 +23,8 @@ public:
     void cover(const SurfacePencils& seeds, float spacing = 0);
     /// What seeds have missed, as other pencils that look about say.
     struct Missed {
-        std::vector<uint>
-            keys;          // of those that see something which reflects and which no pencil stands for, no closer than the set's own lie
-        double share = 0;  // of what all see
+        std::vector<uint> keys;  // of those that see something which reflects and which no pencil stands for
+        double share = 0;        // of all that reflects and is seen
     };
     Missed missed(const SurfacePencils& looks) const;
     /// With which as many pencils as wished for lie on what is seen [scene units].

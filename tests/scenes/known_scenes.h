@@ -134,6 +134,17 @@ inline Scene room_of_everything() {
 }
 
 /// Closed room of unit albedo 0.8 with a small cube for a lamp, `gap` below the ceiling that the camera looks up at.
+/// Two closed rooms that have nothing in common, each as bright everywhere as emission / (1 - albedo): 0.02 and 1. The camera begins inside both; the
+/// last tenth of the image's columns shows the second.
+inline Scene two_furnaces() {
+    Scene scene;
+    add_box(scene, {-1, -0.75, -1}, {0.7, 0.75, 1}, {glm::vec3(0.5F), glm::vec3(0.01F)});
+    add_box(scene, {0.75, -0.75, -1}, {1, 0.75, 1}, {glm::vec3(0.9F), glm::vec3(0.1F)});
+    look_at(scene, {0, 0, 2}, {0, 0, 0}, {0, 1, 0}, 65.8, 48, 36);
+    scene.sensor.near_clip = 1.5;
+    return scene;
+}
+
 inline Scene room_with_near_lamp(double gap) {
     const Surface white{glm::vec3(0.8F), glm::vec3(0.0F), false}, lamp{glm::vec3(0.0F), glm::vec3(100.0F), false};
     Scene scene;

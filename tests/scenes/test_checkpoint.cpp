@@ -1,4 +1,5 @@
 // A render that goes on from a checkpoint is the render that never stopped, bit for bit; one whose device fails keeps what it has.
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -66,6 +67,17 @@ TEST(Checkpoint, GoesOnAsIfItHadNeverStopped) { expect_the_same_from_every_step(
 TEST(Checkpoint, GoesOnWithSpotsAndSplitPixels) { expect_the_same_from_every_step(room_with_near_lamp(0.005)); }
 
 TEST(Checkpoint, GoesOnWithEveryKindOfLightAndMaterial) { expect_the_same_from_every_step(room_of_everything()); }
+
+TEST(Checkpoint, GoesOnWithSeedsThatWereAdded) {
+    Scene scene = two_furnaces();
+    scene.point_lights.push_back({{0.9, 0.4, 0.3}, glm::vec3(0.5F)});  // else it is no matter where pencils lie
+    expect_the_same_from_every_step(scene);
+    RenderSession session(scene, small_options(), device());
+    session.advance();
+    const std::vector<std::string> lines = session.stats().explain;
+    EXPECT_TRUE(std::any_of(lines.begin(), lines.end(),
+                            [](const std::string& line) { return line.find("first seeds missed") != std::string::npos; }));
+}
 
 /// Stopped after each step: nothing drifts.
 TEST(Checkpoint, GoesOnAgainAndAgain) {

@@ -4,6 +4,7 @@
 #include "certify/error_check.h"
 #include "film/frame.h"
 #include "reference/path_tracer.h"
+#include "render/render_session.h"
 #include "scenes/known_scenes.h"
 #include "scenes/scene_builder.h"
 #include "surface/surface_method.h"
@@ -84,6 +85,22 @@ TEST(ErrorCheck, PathsFindTheFurnace) {
     }
 }
 
+/// A black image is as wrong as can be where there is light; of one that holds no numbers nothing is said.
+TEST(ErrorCheck, BlackImagesAreWrongAndBrokenOnesUnknown) {
+    Checked checked(furnace(0.5F));
+    checked.look(1 << 14, 5);
+    // Emission is left out: the image shows it, and no reflection.
+    const CertifiedError black = checked.certify(checked.check, uniform_image(checked.scene, 0.0));
+    EXPECT_GT(black.points, 10);
+    EXPECT_LT(black.mean_bias, -0.9);
+    EXPECT_GT(black.relmse, 10.0);
+    EXPECT_EQ(checked.certify(checked.check, uniform_image(checked.scene, std::nan(""))).points, 0);
+    Checked dark(furnace(0.0F), 0);
+    dark.look(1 << 10, 5);
+    const CertifiedError right = dark.certify(dark.check, uniform_image(dark.scene, 1.0));
+    EXPECT_NEAR(right.relmse, 0.0, 1e-9);
+}
+
 TEST(ErrorCheck, OrdersEndWhereTheImageEnds) {
     for (int bounces = 0; bounces <= 4; ++bounces) {
         Checked checked(furnace(0.5F), bounces);
@@ -110,7 +127,7 @@ TEST(ErrorCheck, AgreesWithThePathTracerAmongRoughMetals) {
         m.eta = glm::vec3(0.2F, 0.9F, 1.4F);
         m.k = glm::vec3(3.9F, 2.4F, 1.6F);
     }
-    Checked checked(std::move(scene));
+    Checked checked(scene);
     for (std::uint64_t film = 1; film < 5; ++film) checked.look(1 << 14, film);
     const CertifiedError found = checked.certify(checked.check, truth(checked.scene, 512, 3));
     EXPECT_NEAR(found.mean_bias, 0.0, 4.0 * found.mean_error);

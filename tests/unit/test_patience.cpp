@@ -50,6 +50,21 @@ TEST(Patience, PassesThatAgreeOnceByChanceGoOn) {
     EXPECT_EQ(chance(0.002), 5) << "they agree too well for that";
 }
 
+/// Of a render that goes on to a smaller error: what was well enough for the last one is not for this.
+TEST(Patience, AnotherTargetAsksAnew) {
+    const auto ask = [](Patience& patience, double mean_error) { return patience.ask({4, 4, 0, 0, mean_error, unchecked}).enough; };
+    for (const auto& [before, enough] : {std::pair{0.01, false}, {0.0038, true}}) {
+        Patience loose(0.1);
+        ask(loose, before);
+        Archive kept;
+        loose.transfer(kept);
+        Patience strict(target);
+        Archive again(kept.take());
+        strict.transfer(again);
+        EXPECT_EQ(ask(strict, 0.0035), enough);
+    }
+}
+
 TEST(Patience, LightPathsThatContradictAreHeard) {
     CertifiedError certified;
     certified.points = 100;
