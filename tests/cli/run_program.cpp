@@ -98,8 +98,14 @@ RunResult Child::wait() {
     while (read_some(1000)) {
     }
     int status = 0;
-    ::waitpid(pid_, &status, 0);
+    struct rusage used {};
+    ::wait4(pid_, &status, 0, &used);
     pid_ = -1;
+    const auto seconds = [](const struct timeval& time) {
+        return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+    };
+    result_.processor_time = seconds(used.ru_utime) + seconds(used.ru_stime);
+    result_.peak_memory = 1024 * used.ru_maxrss;
     result_.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     result_.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
     return result_;

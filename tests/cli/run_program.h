@@ -1,4 +1,4 @@
-// Runs the program in a child process, as a user would, and keeps what it said. Used by all tests of this folder.
+// Runs the program in a child process, as a user would, and keeps what it said. Used by the tests of cli and hostile.
 #pragma once
 
 #include <sys/types.h>
@@ -20,6 +20,8 @@ struct RunResult {
     int code = -1;   // exit status, or -1 if a signal ended it
     int signal = 0;  // that signal
     std::string out, err;
+    double processor_time = 0;  // [s]
+    long peak_memory = 0;       // [bytes]
 };
 
 /// Waits for it to end.

@@ -1,48 +1,11 @@
-// Scene files that cannot be read end with status 3, name the file, and leave nothing behind.
+// Scene files and what `info` says of them. Hostile ones stand in tests/hostile.
 #include <gtest/gtest.h>
-#include <sys/stat.h>
 
 #include "cli/fixtures.h"
 #include "cli/run_program.h"
 
 namespace pencil_test {
 namespace {
-
-void expect_scene_error(const std::string& scene, const std::string& named) {
-    const Folder folder;
-    const RunResult result = run_pencil({"render", scene, "-o", (folder / "a.exr").string()});
-    EXPECT_EQ(result.code, 3) << result.err;
-    EXPECT_NE(result.err.find("pencil: error: "), std::string::npos) << result.err;
-    EXPECT_NE(result.err.find(named), std::string::npos) << result.err;
-    EXPECT_TRUE(folder.names().empty());
-    EXPECT_EQ(run_pencil({"info", scene}).code, 3);
-}
-
-TEST(BadScene, Missing) { expect_scene_error("/nonexistent/room.xml", "room.xml"); }
-
-TEST(BadScene, Empty) {
-    const Folder folder;
-    expect_scene_error(folder.write("empty.xml", ""), "empty.xml");
-}
-
-TEST(BadScene, NotXml) {
-    const Folder folder;
-    expect_scene_error(folder.write("picture.xml", std::string("\x89PNG\r\n\x1a\n\0\0\0", 11)), "picture.xml");
-}
-
-TEST(BadScene, FolderInsteadOfFile) {
-    const Folder folder;
-    expect_scene_error(folder.path().string(), folder.path().filename().string());
-}
-
-TEST(BadScene, FifoIsRefusedWithoutWaiting) {
-    const Folder folder;
-    const std::string fifo = (folder / "pipe.xml").string();
-    ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
-    expect_scene_error(fifo, "pipe.xml");
-}
-
-TEST(BadScene, DeviceFileIsRefused) { expect_scene_error("/dev/zero", "/dev/zero"); }
 
 TEST(BadScene, TruncatedAnywhere) {
     const Folder folder;

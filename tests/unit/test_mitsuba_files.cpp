@@ -166,6 +166,20 @@ TEST_F(MitsubaFiles, InstancesAreCopies) {
     expect_error("<shape type=\"instance\"/>", 3, "needs a reference to one shapegroup");
 }
 
+/// Spheres of instances count, too.
+TEST_F(MitsubaFiles, ThousandsOfSpheresAreCoarser) {
+    const auto instances = [](int count) {
+        std::string body =
+            "<shape type=\"shapegroup\" id=\"g\"><shape type=\"sphere\"/><shape type=\"sphere\"/><shape type=\"rectangle\"/></shape>";
+        for (int i = 0; i < count; ++i) body += "<shape type=\"instance\"><ref id=\"g\"/></shape>";
+        return body;
+    };
+    EXPECT_EQ(load_body(instances(2)).triangles.size(), 2U * (2 * 1280 + 2));
+    const Scene scene = load_body(instances(2000));
+    EXPECT_EQ(scene.triangles.size(), 2000U * (2 * 320 + 2));
+    EXPECT_TRUE(has_warning(scene, "there are 4000 spheres: each is made of 320 triangles, where few have 1280"));
+}
+
 TEST_F(MitsubaFiles, DisksAndCylinders) {
     constexpr double pi = 3.14159265358979323846;
     const auto area = [](const Scene& scene) {

@@ -43,7 +43,7 @@ TEST(TextureCoordinatesOfShapes, RectangleAndCubeAreMitsubas) {
 
 /// u is the longitude and v the colatitude everywhere, and no triangle spans more than its share of either.
 TEST(TextureCoordinatesOfShapes, SphereHasNoTriangleAcrossTheSeam) {
-    const Mesh sphere = make_sphere();
+    const Mesh sphere = make_sphere(3);
     ASSERT_EQ(sphere.uvs.size(), sphere.positions.size());
     ASSERT_EQ(sphere.normals.size(), sphere.positions.size());
     std::set<std::tuple<double, double, double>> places;

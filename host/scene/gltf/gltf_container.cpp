@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::size_t header_bytes = 12, chunk_header_bytes = 8;
 constexpr std::uint64_t json_chunk = 0x4E4F534A, binary_chunk = 0x004E4942;
-constexpr int deepest = 64;  // objects and arrays in each other; files nest to about 10
+constexpr int deepest = 64;                    // objects and arrays in each other; files nest to about 10
+constexpr std::size_t most_objects = 2000000;  // a parser keeps hundreds of bytes for each
 
 /// Little endian.
 std::uint64_t number_at(std::string_view bytes, std::size_t at) {
@@ -44,8 +45,9 @@ std::string_view json_of_container(std::string_view bytes, const std::string& wh
     return json;
 }
 
-void check_depth(std::string_view json, const std::string& where) {
+void check_structure(std::string_view json, const std::string& where) {
     int depth = 0;
+    std::size_t objects = 0;
     bool in_string = false;
     for (std::size_t i = 0; i < json.size(); ++i) {
         const char c = json[i];
@@ -56,6 +58,8 @@ void check_depth(std::string_view json, const std::string& where) {
             in_string = true;
         } else if (c == '{' || c == '[') {
             if (++depth > deepest) throw SceneError(where, "objects are nested more than " + std::to_string(deepest) + " deep");
+            if (c == '{' && ++objects > most_objects)
+                throw SceneError(where, "there are more than " + std::to_string(most_objects) + " objects");
         } else if (c == '}' || c == ']') {
             --depth;
         }
@@ -83,7 +87,7 @@ bool is_glb(std::string_view bytes) { return bytes.substr(0, 4) == "glTF"; }
 
 std::string_view checked_gltf_json(std::string_view bytes, const std::string& where) {
     const std::string_view json = is_glb(bytes) ? json_of_container(bytes, where) : bytes;
-    check_depth(json, where);
+    check_structure(json, where);
     return json;
 }
 

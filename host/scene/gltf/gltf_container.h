@@ -16,7 +16,7 @@ bool is_gltf_1(std::string_view json);
 bool is_glb(std::string_view bytes);
 
 /// The JSON text inside. SceneError blaming `where` for a container whose lengths lie, one of another version, and for text that nests so
-/// deeply that parsers, which call themselves at every level, run out of stack.
+/// deeply that parsers, which call themselves at every level, run out of stack, or has so many objects that they run out of memory.
 std::string_view checked_gltf_json(std::string_view bytes, const std::string& where);
 
 }  // namespace pencil

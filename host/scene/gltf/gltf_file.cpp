@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "scene/gltf/embedded_files.h"
 #include "scene/gltf/gltf_container.h"
 #include "scene/gltf/gltf_values.h"
 #include "scene/scene_file.h"
@@ -35,6 +36,7 @@ struct Files {
     const FileSearch& search;
     std::filesystem::path folder;
     std::string where;
+    EmbeddedFiles embedded;
     std::vector<std::string> missing;
 };
 
@@ -46,7 +48,7 @@ std::optional<std::filesystem::path> find_file(const std::string& name, void* fi
 
 /// tinygltf asks a second time, for the same below ".".
 bool file_exists(const std::string& name, void* files) {
-    if (find_file(name, files)) return true;
+    if (static_cast<const Files*>(files)->embedded.has(name) || find_file(name, files)) return true;
     std::vector<std::string>& missing = static_cast<Files*>(files)->missing;
     if (name.substr(0, 2) != "./" && std::find(missing.begin(), missing.end(), name) == missing.end()) missing.push_back(name);
     return false;
@@ -55,9 +57,14 @@ bool file_exists(const std::string& name, void* files) {
 std::string same_path(const std::string& name, void*) { return name; }
 
 bool read_file(std::vector<unsigned char>* out, std::string*, const std::string& name, void* files) {
+    const Files& of = *static_cast<const Files*>(files);
+    if (of.embedded.has(name)) {
+        if (!of.embedded.decode(name, *out)) throw SceneError(of.where, "a data URI is not in base 64");
+        return true;
+    }
     const std::optional<std::filesystem::path> file = find_file(name, files);
     if (!file) return false;
-    const std::string bytes = read_regular_file(*file, max_mesh_bytes, static_cast<const Files*>(files)->where);
+    const std::string bytes = read_regular_file(*file, max_mesh_bytes, of.where);
     out->assign(bytes.begin(), bytes.end());
     return true;
 }
@@ -91,15 +98,16 @@ GltfFile::GltfFile(const std::filesystem::path& file, const LoadOptions& options
 
 void GltfFile::parse(const std::string& bytes) {
     const std::string_view json = checked_gltf_json(bytes, shown(path_));
-    Files files{search_, path_.parent_path(), shown(path_), {}};
+    const bool is_text = !is_glb(bytes);
+    Files files{search_, path_.parent_path(), shown(path_), EmbeddedFiles(is_text ? json : std::string_view()), {}};
     tinygltf::TinyGLTF parser;
     parser.SetFsCallbacks({file_exists, same_path, read_file, write_nothing, &files});
     parser.SetImageLoader(keep_image, nullptr);
     std::string error, warning;
-    const auto size = static_cast<unsigned>(bytes.size());
-    const bool read = is_glb(bytes) ? parser.LoadBinaryFromMemory(&model_, &error, &warning,
-                                                                  reinterpret_cast<const unsigned char*>(bytes.data()), size, "")
-                                    : parser.LoadASCIIFromString(&model_, &error, &warning, bytes.data(), size, "");
+    const std::string& text = files.embedded.json();
+    const bool read = is_text ? parser.LoadASCIIFromString(&model_, &error, &warning, text.data(), static_cast<unsigned>(text.size()), "")
+                              : parser.LoadBinaryFromMemory(&model_, &error, &warning, reinterpret_cast<const unsigned char*>(bytes.data()),
+                                                            static_cast<unsigned>(bytes.size()), "");
     if (!read) {
         check_required_extensions();  // they explain much of what looks wrong
         if (is_gltf_1(json)) fail("glTF version 1.0 is not supported" + advice_on_version);
@@ -107,6 +115,8 @@ void GltfFile::parse(const std::string& bytes) {
             read_regular_file(search_.find(files.missing.back(), files.folder, files.where), max_mesh_bytes, files.where);
         fail("this is not well-formed glTF: " + escaped(trimmed(error), 200));
     }
+    for (tinygltf::Image& image : model_.images)
+        if (files.embedded.has(image.uri)) image.uri.clear();
     if (!files.missing.empty()) warning.clear();  // says the same, in other words
     for (const std::string& name : files.missing)
         approximate("picture " + in_quotes(name) +

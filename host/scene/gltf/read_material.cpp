@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/gtc/packing.hpp>
+#include <limits>
 
 #include "scene/gltf/gltf_values.h"
 
@@ -120,7 +121,8 @@ void MaterialReader::read_emission(int index, Shape& shape) {
     const double strength = number_of(find_extension(material.extensions, "KHR_materials_emissive_strength"), "emissiveStrength", 1.0);
     for (std::size_t i = 0; i < material.emissiveFactor.size() && i < 3; ++i) {
         const double value = material.emissiveFactor[i] * strength;
-        if (!(value >= 0 && value < 1e30)) file_.fail(label(index) + ": what it emits must be numbers from 0 on");
+        if (!(value >= 0 && value <= std::numeric_limits<float>::max()))
+            file_.fail(label(index) + ": what it emits must be numbers from 0 to 3.4e38");
         shape.radiance[static_cast<int>(i)] = static_cast<float>(value);
     }
     if (shape.radiance == glm::vec3(0.0F)) return;

@@ -56,10 +56,11 @@ PlacementCounts place_mesh(const Mesh& mesh, const MeshPlacement& placement, Own
 Mesh make_rectangle();
 /// [-1, 1]^3, fronts outward.
 Mesh make_cube();
-/// Unit sphere as an icosahedron divided three times: 1280 triangles with vertices on the sphere and its normals. The flat triangles have
-/// 0.5 % less area than the sphere and lie up to 0.5 % of the radius inside it. uv: longitude / (2 pi) from +x over +y, colatitude from +z
-/// / pi; triangles across the seam have u beyond 1, and a corner on a pole has the mean u of the other two.
-Mesh make_sphere();
+/// Unit sphere as an icosahedron divided so often, at least once: 20 * 4^divisions triangles with vertices on the sphere and its normals. At 3
+/// divisions the flat triangles have 0.5 % less area than the sphere and lie up to 0.5 % of the radius inside it, four times that with each
+/// division less. uv: longitude / (2 pi) from +x over +y, colatitude from +z / pi; triangles across the seam have u beyond 1, and a corner on a
+/// pole has the mean u of the other two.
+Mesh make_sphere(int divisions);
 /// Unit disk at z = 0 of 128 triangles, front towards +z, 0.04 % less in area than the round one. uv: distance from the centre, angle / (2 pi).
 Mesh make_disk();
 /// Unit radius around the z axis from z = 0 to 1, open, of 256 triangles with the normals of the round one, fronts outward. uv: angle / (2 pi), z.

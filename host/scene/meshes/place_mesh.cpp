@@ -53,8 +53,6 @@ public:
                 std::swap(corners.y, corners.z);
                 ++counts.turned;
             }
-            if (scene_.triangles.size() >= max_triangles)
-                throw SceneError(where_, "the scene has more than " + std::to_string(max_triangles) + " triangles");
             scene_.triangles.push_back({{vertex(corners.x), vertex(corners.y), vertex(corners.z)}, owner.shape, owner.material});
         }
         return counts;
@@ -127,6 +125,8 @@ private:
 }  // namespace
 
 PlacementCounts place_mesh(const Mesh& mesh, const MeshPlacement& placement, Owner owner, const std::string& where, Scene& scene) {
+    if (mesh.triangles.size() > max_triangles - scene.triangles.size())
+        throw SceneError(where, "the scene has more than " + std::to_string(max_triangles) + " triangles");
     return Placer(mesh, placement, where, scene).place(owner);
 }
 

@@ -125,8 +125,7 @@ Mesh make_cube() {
     return mesh;
 }
 
-Mesh make_sphere() {
-    constexpr int divisions = 3;
+Mesh make_sphere(int divisions) {
     Mesh mesh = make_icosahedron();
     for (int level = 0; level < divisions; ++level) {
         std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> made;

@@ -30,6 +30,7 @@ public:
     Scene read() {
         Problems& problems = source_.problems();
         const std::vector<pugi::xml_node> nodes = source_.children(source_.root());
+        shapes_.expect(nodes);
         for (const pugi::xml_node node : nodes) problems.attempt([&] { top_level(node); });
         check_materials(nodes);
         judge_sensors();

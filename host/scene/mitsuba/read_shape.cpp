@@ -19,7 +19,41 @@ bool names_one_of(const Mesh& mesh, const NestedObject& bsdf) {
     return name.empty() || std::find(mesh.materials.begin(), mesh.materials.end(), name) != mesh.materials.end();
 }
 
+/// As many as make a sphere of so many divisions.
+std::size_t triangles_of_sphere(int divisions) { return std::size_t{20} << (2 * divisions); }
+
 }  // namespace
+
+void ShapeReader::expect(const std::vector<pugi::xml_node>& nodes) {
+    constexpr std::size_t most = std::size_t{1} << 22;  // triangles of all spheres, while each has the least
+    std::size_t spheres = 0;
+    for (const pugi::xml_node node : nodes)
+        if (std::string_view(node.name()) == "shape") spheres += spheres_of(node);
+    int divisions = 3;
+    while (divisions > 1 && spheres * triangles_of_sphere(divisions) > most) --divisions;
+    if (divisions == 3) return;
+    sphere_ = make_sphere(divisions);
+    source_.approximate(source_.root(), "there are " + std::to_string(spheres) + " spheres: each is made of " +
+                                            std::to_string(sphere_.triangles.size()) + " triangles, where few have " +
+                                            std::to_string(triangles_of_sphere(3)));
+}
+
+/// Members of groups count once for each instance.
+std::size_t ShapeReader::spheres_of(pugi::xml_node shape) {
+    const std::string_view kind = shape.attribute("type").value();
+    if (kind == "sphere") return 1;
+    if (kind == "merge") return spheres_in(shape);
+    const bool is_instance = kind == "instance";
+    return is_instance ? spheres_in(source_.find_if_there(shape.child("ref").attribute("id").value())) : 0;
+}
+
+std::size_t ShapeReader::spheres_in(pugi::xml_node group) {
+    const auto [place, is_new] = spheres_in_.emplace(group.hash_value(), 0);
+    if (is_new)
+        for (const pugi::xml_node member : group.children("shape"))
+            if (std::string_view(member.attribute("type").value()) == "sphere") ++place->second;
+    return place->second;
+}
 
 void ShapeReader::read(pugi::xml_node node) {
     Properties p(source_, node);
@@ -65,6 +99,7 @@ void ShapeReader::read_one(Properties& p, const std::string& kind, const glm::dm
 
 /// Files of a group's members are read once for all instances.
 const Mesh& ShapeReader::mesh_of(Properties& p, const std::string& kind, bool keep, Mesh& own) {
+    if (kind == "sphere") return sphere_;
     if (!keep) return own = read_shape_mesh(p, kind);
     p.ignore({"filename", "flip_tex_coords", "shape_index", "max_smooth_angle", "collapse", "srgb", "load_materials"});
     const auto place = meshes_.find(p.node().hash_value());

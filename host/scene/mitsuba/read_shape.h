@@ -22,10 +22,14 @@ public:
     ShapeReader(XmlSource& source, Scene& scene, BsdfReader& bsdfs, EmitterReader& emitters)
         : source_(source), scene_(scene), bsdfs_(bsdfs), emitters_(emitters), mtl_bsdfs_(source) {}
 
+    /// Before any is read: what the scene's elements will be. Thousands of spheres are made of fewer triangles each, and a warning says so.
+    void expect(const std::vector<pugi::xml_node>& nodes);
     /// Appends the shape to the scene: its copies, if it is an instance of a group; nothing, if it is a group.
     void read(pugi::xml_node node);
 
 private:
+    std::size_t spheres_of(pugi::xml_node shape);
+    std::size_t spheres_in(pugi::xml_node group);
     void read_one(Properties& p, const std::string& kind, const glm::dmat4& group_to_world, bool keep_mesh);
     void read_instance(Properties& p);
     void read_members(Properties& group, const glm::dmat4& to_world);
@@ -48,7 +52,9 @@ private:
     BsdfReader& bsdfs_;
     EmitterReader& emitters_;
     MtlBsdfs mtl_bsdfs_;
-    std::map<std::size_t, Mesh> meshes_;  // of groups' members, by node
+    Mesh sphere_ = make_sphere(3);
+    std::map<std::size_t, std::size_t> spheres_in_;  // groups, by node
+    std::map<std::size_t, Mesh> meshes_;             // of groups' members, by node
     std::int64_t default_material_[2] = {-1, -1};
     std::map<std::string, int> ordinals_;
 };

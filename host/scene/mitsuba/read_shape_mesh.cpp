@@ -57,7 +57,6 @@ bool is_known_shape(const std::string& kind) {
 Mesh read_shape_mesh(Properties& p, const std::string& kind) {
     if (kind == "rectangle") return make_rectangle();
     if (kind == "cube") return make_cube();
-    if (kind == "sphere") return make_sphere();
     if (kind == "disk") return make_disk();
     if (kind == "cylinder") return make_cylinder();
     return read_file(p, kind);

@@ -209,6 +209,11 @@ pugi::xml_node XmlSource::find(const std::string& id, pugi::xml_node ref) const 
     fail(ref, "nothing has the id " + in_quotes(id) + (close.empty() ? "" : "; did you mean " + in_quotes(close) + "?"));
 }
 
+pugi::xml_node XmlSource::find_if_there(const std::string& id) const {
+    const auto place = ids_.find(id);
+    return place != ids_.end() ? place->second : pugi::xml_node();
+}
+
 std::filesystem::path XmlSource::find_file(const std::string& name, pugi::xml_node node) const {
     return search_.find(name, document_of(node).file().parent_path(), where(node));
 }

@@ -32,6 +32,8 @@ public:
     int version(pugi::xml_node node) const;
     /// The object with this id; `ref` is blamed if there is none.
     pugi::xml_node find(const std::string& id, pugi::xml_node ref) const;
+    /// The same, or none.
+    pugi::xml_node find_if_there(const std::string& id) const;
     /// The file that `node` calls `name`.
     std::filesystem::path find_file(const std::string& name, pugi::xml_node node) const;
     /// The file that one in `folder` calls so; `node` is blamed.
