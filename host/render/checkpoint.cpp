@@ -5,6 +5,7 @@
 
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <system_error>
 
 #include "cl/embedded_kernels.h"
@@ -31,6 +32,13 @@ std::string kernels_fingerprint() {
     return fingerprint(texts.data(), texts.size());
 }
 
+/// Of the running program, whose every change may change an image.
+std::string program_fingerprint() {
+    std::ifstream file("/proc/self/exe", std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    return fingerprint(bytes.data(), bytes.size());
+}
+
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& why) {
     throw UsageError(fmt::format("--resume {}: {}", file.string(), why));
 }
@@ -55,7 +63,8 @@ std::vector<char> read_bytes(const std::filesystem::path& file) {
 }  // namespace
 
 RenderIdentity render_identity(const Scene& scene, const RenderOptions& options, const Device& device) {
-    RenderIdentity identity{{"scene", scene_fingerprint(scene)},
+    RenderIdentity identity{{"program", program_fingerprint()},
+                            {"scene", scene_fingerprint(scene)},
                             {"kernels", kernels_fingerprint()},
                             {"device", device.info().name},
                             {"driver", device.info().driver},

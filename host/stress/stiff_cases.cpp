@@ -61,7 +61,8 @@ Measurements lamp(const StressRun& run, const Stiffness& s) {
     const double a = rounded(s.albedo), even = std::pow(a, uneven + 1) / (1 - a) * lamp / surface;
     const double truth = mean_of(trace_paths(scene, paths, run).layers) + even;
     const RenderResult result = render(scene, fine_options(), run);
-    return {near("mean over truth", mean_of(result.layers) / truth, 1, 0.005), below("applications of transport", applications(result), s.applications)};
+    return {near("mean over truth", mean_of(result.layers) / truth, 1, 0.005),
+            below("applications of transport", applications(result), s.applications)};
 }
 
 /// Closed and without loss: no sum exists.

@@ -54,7 +54,10 @@ public:
         }
     }
 
+    /// On the disk before it has the name: after a loss of power there is the old file or the new one, not an empty one.
     void rename_to(const fs::path& target) {
+        const bool kept = ::fsync(descriptor_) == 0 || errno == EINVAL || errno == ENOTSUP;  // file systems without
+        if (!kept) fail(wanted_, errno);
         const int closed = ::close(descriptor_);
         descriptor_ = -1;
         if (closed != 0 || ::rename(path_.c_str(), target.c_str()) != 0) fail(wanted_, errno);

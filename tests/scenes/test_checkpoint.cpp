@@ -37,9 +37,9 @@ struct Straight {
     double error = 0;
 };
 
-Straight run_straight(const Scene& scene) {
+Straight run_straight(const Scene& scene, const RenderOptions& options = small_options()) {
     Straight straight;
-    RenderSession session(scene, small_options(), device());
+    RenderSession session(scene, options, device());
     for (int step = 0; step < steps; ++step) {
         session.advance();
         straight.states.push_back(session.save());
@@ -49,10 +49,10 @@ Straight run_straight(const Scene& scene) {
     return straight;
 }
 
-void expect_the_same_from_every_step(const Scene& scene) {
-    const Straight straight = run_straight(scene);
+void expect_the_same_from_every_step(const Scene& scene, const RenderOptions& options = small_options()) {
+    const Straight straight = run_straight(scene, options);
     for (int begin = 1; begin <= steps; ++begin) {
-        RenderSession session(scene, small_options(), device());
+        RenderSession session(scene, options, device());
         session.resume(straight.states[static_cast<std::size_t>(begin - 1)]);
         EXPECT_TRUE(session.has_step());
         for (int step = begin; step < steps; ++step) session.advance();
@@ -77,6 +77,20 @@ TEST(Checkpoint, GoesOnWithSeedsThatWereAdded) {
     const std::vector<std::string> lines = session.stats().explain;
     EXPECT_TRUE(std::any_of(lines.begin(), lines.end(),
                             [](const std::string& line) { return line.find("first seeds missed") != std::string::npos; }));
+}
+
+/// A box narrower than a pixel, which the film finds in a later pass by chance: the set that stood then does not begin there when it is placed once more.
+TEST(Checkpoint, GoesOnWithoutSeedsThatWereFoundLater) {
+    Scene scene;
+    add_box(scene, {-1, -0.75, -1}, {1, 0.75, 1}, {glm::vec3(0.5F), glm::vec3(0.01F)});
+    add_box(scene, {0.3, -0.1, -0.9}, {0.315, 0.1, 0.9}, {glm::vec3(0.9F), glm::vec3(0.1F)});
+    scene.point_lights.push_back({{0.3075, 0, 0.3}, glm::vec3(1e-4F)});
+    look_at(scene, {0, 0, 2}, {0, 0, 0}, {0, 1, 0}, 65.8, 48, 36);
+    scene.sensor.near_clip = 1.5;
+    RenderOptions options = small_options();
+    options.width = 48;
+    options.height = 36;
+    expect_the_same_from_every_step(scene, options);
 }
 
 /// Stopped after each step: nothing drifts.
