@@ -13,20 +13,32 @@
 /// Share of a cone at its edge that is left out, so that rounding takes no direction out of it; light that varies over the cone is off by no more.
 #define GUIDE_MARGIN 5e-4f
 
-static inline float guide_unit(uint bits) { return (bits >> UNIT_SHIFT) * UNIT_STEP; }
-
-/// Direction of guided ray `number`: rays take turns among the spots, each as often as its chance says.
-static inline float3 guided_direction(const SpotView *v, int number, uint key, uint2 shift) {
-    uint turn = hash_uint(key ^ hash_uint(shift.x)), bits = hash_uint(key + 1 + number);  // no dimension of the points decides two things
-    float pick = (number + guide_unit(turn)) / SPOT_RAYS, sum = v->chance[0];
-    int k = 0;
-    while (k + 1 < v->count && pick >= sum) sum += v->chance[++k];
-    float rise = v->opening[k] * (1.0f - GUIDE_MARGIN) * guide_unit(bits ^ shift.x),
-          phi = 2.0f * M_PI_F * guide_unit(hash_uint(bits) ^ shift.y);
-    float aside = sqrt(fmax(rise * (2.0f - rise), 0.0f));
-    float3 t, b;
-    tangent_frame(v->axis[k], &t, &b);
-    return normalize(aside * cos(phi) * t + aside * sin(phi) * b + (1.0f - rise) * v->axis[k]);
+/// Unit directions of the packet of guided rays at `first`: rays take turns among the spots, each as often as its chance says.
+static inline void guided_directions(const SpotView *v, int first, uint key, uint2 shift, vfloat *x, vfloat *y, vfloat *z) {
+    vint number = (vint)(first) + PACKET_LANES;
+    vuint bits = hash_packet((vuint)(key + 1u) + PACKET_AS_UINT(number));  // no dimension of the points decides two things
+    float turn = (hash_uint(key ^ hash_uint(shift.x)) >> UNIT_SHIFT) * UNIT_STEP, sum = v->chance[0];
+    vfloat pick = (PACKET_TO_FLOAT(number) + turn) / SPOT_RAYS, opening = (vfloat)(v->opening[0]);
+    vfloat nx = (vfloat)(v->axis[0].x), ny = (vfloat)(v->axis[0].y), nz = (vfloat)(v->axis[0].z);
+    for (int k = 1; k < v->count; sum += v->chance[k++]) {
+        vint later = PACKET_MASK(pick >= sum);
+        opening = select(opening, (vfloat)(v->opening[k]), later);
+        nx = select(nx, (vfloat)(v->axis[k].x), later);
+        ny = select(ny, (vfloat)(v->axis[k].y), later);
+        nz = select(nz, (vfloat)(v->axis[k].z), later);
+    }
+    vfloat rise = opening * (1.0f - GUIDE_MARGIN) * PACKET_UNIT(bits ^ shift.x),
+           phi = 2.0f * M_PI_F * PACKET_UNIT(hash_packet(bits) ^ shift.y);
+    vfloat aside = sqrt(fmax(rise * (2.0f - rise), (vfloat)(0.0f))), c = aside * cos(phi), s = aside * sin(phi), along = 1.0f - rise;
+    // In the frame of tangent_frame() about the axis.
+    vfloat sign = copysign((vfloat)(1.0f), nz), k = -1.0f / (sign + nz), m = nx * ny * k;
+    *x = c * (1.0f + sign * nx * nx * k) + s * m + along * nx;
+    *y = c * sign * m + s * (sign + ny * ny * k) + along * ny;
+    *z = along * nz - c * sign * nx - s * ny;
+    vfloat inverse = 1.0f / sqrt(*x * *x + *y * *y + *z * *z);
+    *x *= inverse;
+    *y *= inverse;
+    *z *= inverse;
 }
 
 /// Of the packet at `first`, see below.
@@ -40,32 +52,30 @@ APART static void guide_hemispheres_packet(int first, global const SurfacePencil
     // Pencils of one key, those that share a map, look elsewhere; where a pencil has its own, it does not matter which others are there.
     uint number = shared_keys ? (uint)(first_pencil + first / SPOT_RAYS) : 0u;
     uint key = hash_uint(pencil->key + hash_uint(seed ^ 0x9e3779b9u) + 0x85ebca6bu * number);
-    float d[3][PENCIL_WIDTH], factor[PENCIL_WIDTH];
-#pragma unroll 1
-    for (int l = 0; l < PENCIL_WIDTH; ++l) {
-        float3 direction = view.count > 0 ? guided_direction(&view, first % SPOT_RAYS + l, key, shift) : pencil->normal.xyz;
-        float cosine = dot(direction, pencil->normal.xyz);
-        bool sees = view.count > 0 && cosine > 0.0f && dot(direction, pencil->facing.xyz) > 0.0f;
-        factor[l] = sees ? cosine / (texels_density(texels, cosine) + guides_density(&view, direction)) : 0.0f;
-        d[0][l] = direction.x;
-        d[1][l] = direction.y;
-        d[2][l] = direction.z;
+    float3 normal = pencil->normal.xyz, facing = pencil->facing.xyz;
+    vfloat x = (vfloat)(normal.x), y = (vfloat)(normal.y), z = (vfloat)(normal.z), factor = (vfloat)(0.0f);
+    if (view.count > 0) {
+        guided_directions(&view, first % SPOT_RAYS, key, shift, &x, &y, &z);
+        vfloat cosine = x * normal.x + y * normal.y + z * normal.z;
+        vint sees = PACKET_MASK(cosine > 0.0f) & PACKET_MASK(x * facing.x + y * facing.y + z * facing.z > 0.0f);
+        factor = select(factor, cosine / (texels_density(texels, cosine) + guides_density(&view, x, y, z)), sees);
     }
-    RayPacket rays = ray_packet(PACKET_LOAD(d[0]), PACKET_LOAD(d[1]), PACKET_LOAD(d[2]));
+    PACKET_STORE(factor, factors + first);
+    RayPacket rays = ray_packet(x, y, z);
     if (view.count > 0) packet_trace(&rays, origin, pencil->plane, 0.0f, nodes, leaves, triangles, planes);
     Surfaces scene = SURFACES;
 #pragma unroll 1
     for (int l = 0; l < PENCIL_WIDTH; ++l) {
-        float3 direction = (float3)(d[0][l], d[1][l], d[2][l]);
-        factors[first + l] = factor[l];
-        if (!(factor[l] > 0.0f)) {
+        float3 direction = (float3)(LANE_FLOAT(x, l), LANE_FLOAT(y, l), LANE_FLOAT(z, l));
+        if (!(LANE_FLOAT(factor, l) > 0.0f)) {
             Vertex nothing = meet_nothing(direction);
             Throughput none = {(float3)(0.0f), -1.0f};
             store_vertex(surfels, capacity, first + l, &nothing, none);
             continue;
         }
         Hit hit = {LANE_INT(rays.triangle, l), LANE_FLOAT(rays.disparity, l)};
-        write_surfel(surfels, capacity, first + l, hit, origin, (float4)(direction, 0.0f), &scene, as_uint(d[0][l]) ^ as_uint(d[1][l]));
+        write_surfel(surfels, capacity, first + l, hit, origin, (float4)(direction, 0.0f), &scene,
+                     as_uint(direction.x) ^ as_uint(direction.y));
     }
 }
 

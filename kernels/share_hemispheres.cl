@@ -17,13 +17,14 @@ kernel void share_hemispheres(global const SurfacePencil *pencils, int first_pen
     for (int first = item * texels; first < (item + 1) * texels; first += PENCIL_WIDTH) {
         vfloat x, y, z;
         hemisphere_rays(pencil, first % (n * n), n, seed, shift, &x, &y, &z);
-#pragma unroll 1
-        for (int l = 0; l < PENCIL_WIDTH; ++l) {
-            float3 direction = (float3)(LANE_FLOAT(x, l), LANE_FLOAT(y, l), LANE_FLOAT(z, l));
-            float guides = guides_density(&view, direction);
-            if (!(guides > 0.0f)) continue;
-            float own = texels_density(texels, dot(direction, pencil->normal.xyz)), share = own / (own + guides);
-            for (int c = 0; c < 3; ++c) radiance[(size_t)c * capacity + first + l] *= share;
+        vfloat guides = guides_density(&view, x, y, z);
+        if (!PACKET_ANY(PACKET_MASK(guides > 0.0f))) continue;
+        float3 normal = pencil->normal.xyz;
+        vfloat own = texels_density(texels, x * normal.x + y * normal.y + z * normal.z), share = own / (own + guides);
+        share = select((vfloat)(1.0f), share, PACKET_MASK(guides > 0.0f));
+        for (int c = 0; c < 3; ++c) {
+            global float *at = radiance + (size_t)c * capacity + first;
+            PACKET_STORE(PACKET_LOAD(at) * share, at);
         }
     }
 }

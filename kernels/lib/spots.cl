@@ -1,6 +1,7 @@
 // Bright spots as a surface pencil sees them: spheres about places that reflect much of the light or that it comes through. Directions into their cones are drawn beside
 // those of the texels, and both are weighed by the balance heuristic (Veach 1997, 9.2).
 
+#include "lib/packet.cl"
 #include "shared/spot.h"
 #include "shared/surface_pencil.h"
 
@@ -39,17 +40,18 @@ static inline SpotView view_spots(global const SurfacePencil *pencil, global con
     return v;
 }
 
-/// With which guided rays are drawn in a direction [1/sr].
-static inline float spots_density(const SpotView *v, float3 direction) {
-    float density = 0.0f;
+/// With which guided rays are drawn in the unit directions of a packet [1/sr].
+static inline vfloat spots_density(const SpotView *v, vfloat x, vfloat y, vfloat z) {
+    vfloat density = (vfloat)(0.0f);
     for (int k = 0; k < v->count; ++k) {
-        float3 aside = direction - v->axis[k];
+        vfloat dx = x - v->axis[k].x, dy = y - v->axis[k].y, dz = z - v->axis[k].z;
         // |direction - axis|^2 = 2 (1 - cosine), without the cancellation.
-        if (dot(aside, aside) <= 2.0f * v->opening[k]) density += v->chance[k] / (2.0f * M_PI_F * v->opening[k]);
+        vint inside = PACKET_MASK(fma(dx, dx, fma(dy, dy, dz * dz)) <= 2.0f * v->opening[k]);
+        density += select((vfloat)(0.0f), (vfloat)(v->chance[k] / (2.0f * M_PI_F * v->opening[k])), inside);
     }
     return density;
 }
 
-/// Number of rays per solid angle [1/sr] at this cosine: of so many texels, and of the guided rays.
-static inline float texels_density(int texels, float cosine) { return texels * M_1_PI_F * fmax(cosine, 0.0f); }
-static inline float guides_density(const SpotView *v, float3 direction) { return SPOT_RAYS * spots_density(v, direction); }
+/// Number of rays per solid angle [1/sr] at these cosines: of so many texels, and of the guided rays.
+static inline vfloat texels_density(int texels, vfloat cosine) { return texels * M_1_PI_F * fmax(cosine, (vfloat)(0.0f)); }
+static inline vfloat guides_density(const SpotView *v, vfloat x, vfloat y, vfloat z) { return SPOT_RAYS * spots_density(v, x, y, z); }
