@@ -10,10 +10,10 @@
 
 /// Of the packet at `begin`, see below.
 APART static void follow_surfels_packet(int begin, global const float *from, int from_capacity, global const int *starts, int listed,
-                                        int shared, int chain_count, global const SurfacePencil *viewers, int first_viewer, int texels,
-                                        global const float *near_first, global const float *near_next, float sky_first, float sky_next,
-                                        uint seed, HIERARCHY_PARAMETERS, SURFACES_PARAMETERS, global float *surfels, int capacity,
-                                        int first, global float *uneven) {
+                                        int shared, int balanced, int chain_count, global const SurfacePencil *viewers, int first_viewer,
+                                        int texels, global const float *near_first, global const float *near_next, float sky_first,
+                                        float sky_next, uint seed, HIERARCHY_PARAMETERS, SURFACES_PARAMETERS, global float *surfels,
+                                        int capacity, int first, global float *uneven) {
     Surfaces scene = SURFACES;
     Chain chains[PENCIL_WIDTH];
     bool any_open = false;
@@ -32,6 +32,7 @@ APART static void follow_surfels_packet(int begin, global const float *from, int
             c->shift = (uint3)(of_surfel, hash_uint(of_surfel), hash_uint(of_surfel ^ 0x5bd1e995u));
             c->number = (begin + l) % shared;
             c->shared = shared;
+            c->balanced = balanced;
         }
         int start = listed ? starts[begin + l] : first + begin + l;
         c->at = load_vertex(from, from_capacity, start, materials, bitmaps);
@@ -88,18 +89,21 @@ APART static void follow_surfels_packet(int begin, global const float *from, int
 /// launch : 1-D, one work-item per packet of PENCIL_WIDTH chains
 /// in     : from[from_capacity]: surfels that chains start on; starts[chain_count]: which of them, where there is a list, else chain k starts on
 ///          surfel first + k; shared: so many chains one after the other start on the same, and all take a first step along the lobes, or, where they
-///          have such a base, for what the base scatters otherwise than evenly; 0: each has a surfel of its own and may stop there;
+///          have such a base, for what the base scatters otherwise than evenly; 0: each has a surfel of its own and may stop there; balanced: light samples on the lobes of that surfel leave their share to `shared` chains, else
+///          to one;
 ///          viewers[first_viewer ..]: who sees these, `texels` of them each, or 0; near_first, near_next
 ///          [material]: of the light samples that reach the first vertex and the others (emit_hemispheres.cl); sky_first, sky_next: number of those
 ///          that are the sky's; the scene; seed
 /// out    : surfels[capacity], from number `first` on: where chains end, with what they carry. May be the same buffer as `from`. uneven[chain]:
 ///          of chains of `shared`: what they count beside even light, where that is 0 in the mean
-kernel void follow_surfels(global const float *from, int from_capacity, global const int *starts, int listed, int shared, int chain_count,
-                           global const SurfacePencil *viewers, int first_viewer, int texels, global const float *near_first,
-                           global const float *near_next, float sky_first, float sky_next, uint seed, HIERARCHY_PARAMETERS,
-                           SURFACES_PARAMETERS, global float *surfels, int capacity, int first, global float *uneven) {
+kernel void follow_surfels(global const float *from, int from_capacity, global const int *starts, int listed, int shared, int balanced,
+                           int chain_count, global const SurfacePencil *viewers, int first_viewer, int texels,
+                           global const float *near_first, global const float *near_next, float sky_first, float sky_next, uint seed,
+                           HIERARCHY_PARAMETERS, SURFACES_PARAMETERS, global float *surfels, int capacity, int first,
+                           global float *uneven) {
     int begin = get_global_id(0) * PENCIL_WIDTH;
     if (begin >= chain_count) return;
-    follow_surfels_packet(begin, from, from_capacity, starts, listed, shared, chain_count, viewers, first_viewer, texels, near_first,
-                          near_next, sky_first, sky_next, seed, nodes, leaves, SURFACES_ARGUMENTS, surfels, capacity, first, uneven);
+    follow_surfels_packet(begin, from, from_capacity, starts, listed, shared, balanced, chain_count, viewers, first_viewer, texels,
+                          near_first, near_next, sky_first, sky_next, seed, nodes, leaves, SURFACES_ARGUMENTS, surfels, capacity, first,
+                          uneven);
 }

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """equal_time.py OLD NEW [--time S] [--seeds N] [--keep DIR] [--reference-time S] SCENE [SCENE ...]: error of two versions in the same time.
 
-OLD and NEW are pencil programs. Each renders every scene with --time S, the two in turn, seed after seed, WIDTHxHEIGHT as in SCENE:WIDTHxHEIGHT. Errors
-are relMSE against two references of NEW's `pencil reference`, whose noise is taken off; the table has the medians and their ratio. References are kept in
+OLD and NEW are pencil programs; OLD may be the word "reference": NEW's path tracer. Each renders every scene with --time S, the two in turn, seed after
+seed, WIDTHxHEIGHT as in SCENE:WIDTHxHEIGHT. Errors are relMSE against two references of NEW's `pencil reference`, whose noise is taken off; the table has the medians and their ratio. References are kept in
 DIR and used again. Needs python3-numpy and python3-openimageio."""
 import argparse
 import pathlib
@@ -18,6 +18,10 @@ from trust import pixels  # noqa: E402
 
 def run(*command):
     subprocess.run([str(c) for c in command], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+
+def render(program, new, *options):
+    run(*((new, 'reference') if program == 'reference' else (program, 'render')), *options)
 
 
 def error(file, first, second):
@@ -48,10 +52,10 @@ def main():
         truth, found = [pixels(file) for file in references], ([], [])
         image = keep / 'image.exr'
         for program in options.programs:  # its kernels are built before the clock counts
-            run(program, 'render', scene, '-o', image, '--resolution', size, '--time', 0.1)
+            render(program, options.programs[1], scene, '-o', image, '--resolution', size, '--time', 0.1)
         for seed in range(options.seeds):
             for errors, program in zip(found, options.programs):
-                run(program, 'render', scene, '-o', image, '--resolution', size, '--time', options.time, '--seed', seed)
+                render(program, options.programs[1], scene, '-o', image, '--resolution', size, '--time', options.time, '--seed', seed)
                 errors.append(error(image, *truth))
         old, new = (float(numpy.median(errors)) for errors in found)
         print(f'| {pathlib.Path(scene).stem} | {old:.2g} | {new:.2g} | {new / old:.2f} |', flush=True)

@@ -148,6 +148,14 @@ struct ShapeSamples {
     std::uint64_t seed, turn;
 };
 
+/// Surfels that draw consider whole threes of the samples from `first` on (sample_lights.cl). Where these are not of one triangle but of three next
+/// to each other, as on a round lamp, they would say thrice the same: the members of each come to lie a third of the shape apart.
+void spread_threes(std::vector<LightSample>& samples, std::size_t first) {
+    const std::size_t count = samples.size() - first, third = count / 3;
+    const std::vector<LightSample> along(samples.begin() + static_cast<std::ptrdiff_t>(first), samples.end());
+    for (std::size_t k = 0; k < 3 * third; ++k) samples[first + k] = along[k % 3 * third + k / 3];
+}
+
 /// Systematic in the weight, so that each triangle gets its share to within one sample; low-discrepancy within the triangles and from one set
 /// to the next.
 void sample_shape(const ShapeTriangles& e, const Scene& scene, const FlatScene& flat, const ShapeSamples& own,
@@ -157,6 +165,7 @@ void sample_shape(const ShapeTriangles& e, const Scene& scene, const FlatScene& 
     // Threes stay together: a turn has room for all that a triangle may get, rounded up to them.
     const auto used = [&](std::size_t t) { return own.turn * 3 * static_cast<std::uint64_t>(std::ceil(e.weight(t) / step / 3.0)); };
     std::size_t triangle = 0;
+    const std::size_t first = samples.size();
     std::uint64_t within = used(0);
     for (long k = 0; k < own.count; ++k, ++within) {
         const double passed = (static_cast<double>(k) + start) * step;
@@ -168,6 +177,7 @@ void sample_shape(const ShapeTriangles& e, const Scene& scene, const FlatScene& 
         samples.push_back(area_sample(t, flat.planes[static_cast<std::size_t>(t.plane)],
                                       radiance_at(scene, flat, t, at) / flat.normalisation.light, area, near, at));
     }
+    if (static_cast<std::size_t>(own.count) < 3 * e.triangles.size()) spread_threes(samples, first);
 }
 
 LightSample point_sample(const PointLight& light, int profile_table, const FlatScene& flat) {

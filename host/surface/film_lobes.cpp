@@ -12,7 +12,7 @@ namespace pencil {
 namespace {
 
 /// Chains along the lobes of a surfel of the film in a pass: as many as make this share of the rays of film pencils, from 4 to 64.
-constexpr double chain_share = 0.25;
+constexpr double chain_share = 0.6;
 
 int chains_per_surfel(double film_rays, std::size_t surfels) {
     return static_cast<int>(std::lround(std::clamp(chain_share * film_rays / static_cast<double>(surfels), 4.0, 64.0)));
@@ -57,14 +57,14 @@ void add_film_lobes(RenderContext& context, Frame& frame, SurfaceSolver& solver,
     for (std::size_t first = 0; first < with_lobes.size(); first += chunk) {
         const std::size_t count = std::min(chunk, with_lobes.size() - first);
         const Buffer<int> starts(device, repeated(with_lobes, first, count, shared), "starts of chains");
-        const Chains chains = solver.follow(surfels, starts, shared);
+        const Chains chains = solver.follow(surfels, starts, {shared, !lobes.drawn});
         add_reflections(context.kernels, chains, solver.radiance(chains.ends), starts, shared, lobes.before, surfels.capacity,
                         frame.outgoing());
     }
     // After the chains, which look at what film pencils have added.
     if (frame.lights().maps.count > 0 && !lobes.drawn)
-        light_lobes(context.kernels, context.device_scene, surfels, Buffer<int>(device, with_lobes, "surfels with lobes"), frame.lights(),
-                    frame.outgoing());
+        light_lobes(context.kernels, context.device_scene, surfels, Buffer<int>(device, with_lobes, "surfels with lobes"), shared,
+                    frame.lights(), frame.outgoing());
 }
 
 }  // namespace pencil

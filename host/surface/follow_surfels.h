@@ -32,9 +32,15 @@ struct Chains {
 void follow_surfels(Kernels& kernels, const DeviceScene& scene, const ChainLights& lights, int first, uint seed, Surfels& surfels,
                     const std::optional<Viewers>& viewers = {});
 
-/// Chains that all take a first step from surfels `starts` of `from`, of which `shared` one after the other are the same: their first steps are
+/// Chains of each surfel of the film.
+struct FilmChains {
+    int chains;
+    bool balanced;  // light samples on its lobes know how many (light_lobes)
+};
+
+/// Chains that all take a first step from surfels `starts` of `from`, of which `film.chains` one after the other are the same: their first steps are
 /// spread over its lobes, and over what its base scatters otherwise than evenly.
-Chains follow_surfels(Kernels& kernels, const DeviceScene& scene, const Surfels& from, const Buffer<int>& starts, int shared,
+Chains follow_surfels(Kernels& kernels, const DeviceScene& scene, const Surfels& from, const Buffer<int>& starts, const FilmChains& film,
                       const ChainLights& lights, uint seed);
 
 }  // namespace pencil

@@ -96,8 +96,8 @@ std::uint64_t SurfaceSolver::next_seed() { return hash64((std::uint64_t{seed_} <
 /// What is looked at to find spots is lit by other draws than what is gathered with them.
 std::uint64_t SurfaceSolver::seed_of_search() const { return hash64(std::uint64_t{seed_} + 1) >> 32; }
 
-Chains SurfaceSolver::follow(const Surfels& film, const Buffer<int>& starts, int shared) {
-    return follow_surfels(kernels_, scene_, film, starts, shared, {lights_.film, lights_.chains}, static_cast<uint>(next_seed() >> 32));
+Chains SurfaceSolver::follow(const Surfels& film, const Buffer<int>& starts, const FilmChains& each) {
+    return follow_surfels(kernels_, scene_, film, starts, each, {lights_.film, lights_.chains}, static_cast<uint>(next_seed() >> 32));
 }
 
 Buffer<float> SurfaceSolver::radiance(const Surfels& chains) {

@@ -49,7 +49,7 @@ public:
     void gather(SurfacePencils& pencils, int first, int count, const TexelPoints& points, Reach reach);
 
     /// Chains that start on surfels `starts` of the film, `shared` one after the other on the same,
-    Chains follow(const Surfels& film, const Buffer<int>& starts, int shared);
+    Chains follow(const Surfels& film, const Buffer<int>& starts, const FilmChains& each);
     /// and what they find: radiance[3][capacity of `chains`] that they carry [W m^-2 sr^-1], emission and reflections.
     Buffer<float> radiance(const Surfels& chains);
 

@@ -2,6 +2,7 @@
 
 #include "lib/bsdf.cl"
 #include "lib/colour.cl"
+#include "lib/film_chains.cl"
 #include "lib/hash.cl"
 #include "lib/hemisphere.cl"
 #include "lib/packet.cl"
@@ -26,6 +27,7 @@ typedef struct Chain {
     bool on_film;   // it lies on the film
     uint bits;
     int number, shared;  // which one of so many of its surfel
+    bool balanced;       // light samples on the surfel know how many chains there are
     uint3 shift;         // of the points of the surfel's chains, as fractions of 2^32
     bool open;
 } Chain;
@@ -56,24 +58,10 @@ static inline void end_chain(Chain *c) {
     c->t.factor = (float3)(0.0f);
 }
 
-/// Share of the chains of a surfel of the film for what its base scatters otherwise than evenly, beside that for lobes.
-#define CHAIN_UNEVEN 0.25f
 /// Chance at most that a chain goes on from what emits: its emission is most of what it sends.
 #define CHAIN_LEAVES_LAMP 0.25f
 /// The density of a direction in place of which light samples have taken all they can.
 #define CHAIN_TAKEN 1e-20f
-
-/// True of models whose bases look at where light comes from.
-static inline bool base_is_uneven(int model) {
-    return model == MATERIAL_PLASTIC || model == MATERIAL_PRINCIPLED || model == MATERIAL_ROUGH_DIFFUSE;
-}
-
-/// Of the chains of a surfel, the first so many are for its base.
-static inline int chains_for_base(const Chain *c, float lobes) {
-    float base = base_is_uneven(c->at.bsdf.model) ? CHAIN_UNEVEN * largest(c->at.albedo) : 0.0f;
-    if (!(base > 0.0f)) return 0;
-    return lobes > 0.0f ? clamp((int)(base / (base + lobes) * c->shared + 0.5f), min(1, c->shared - 1), c->shared - 1) : c->shared;
-}
 
 /// A direction for what the base of a surfel of the film scatters beside the even share that its irradiance says (project_film_pencils.cl).
 /// Light samples do the same for themselves (lobe_light.cl).
@@ -89,15 +77,17 @@ static inline BsdfSample sample_uneven(Chain *c, float3 omega_o, float2 u) {
 
 /// The first direction of a chain of the film. Counts are fixed, not drawn: in even light chains say nothing new, to the last digit.
 static inline BsdfSample first_direction(Chain *c, float3 omega_o, float lobes) {
-    int for_base = chains_for_base(c, lobes);
+    int for_base = chains_for_base(&c->at, lobes, c->shared);
     bool base = c->number < for_base;
     uint3 point = even_point((uint)(base ? c->number : c->number - for_base)) + c->shift;
     float3 u = convert_float3(point >> UNIT_SHIFT) * UNIT_STEP;
     BsdfSample s;
     if (base)
         s = sample_uneven(c, omega_o, u.xy);
-    else
+    else {
         s = bsdf_sample(&c->at.bsdf, omega_o, u);
+        if (c->balanced) s.pdf *= c->shared - for_base;
+    }
     float weight = c->shared / (float)(base ? for_base : c->shared - for_base);
     c->uneven *= weight;
     s.weight *= weight;

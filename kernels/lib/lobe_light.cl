@@ -43,15 +43,16 @@ static inline Incident incident_light(global const LightSample *sample, float3 x
     return in;
 }
 
-/// Radiance that the lobes of a surfel send back, and what its base sends back beyond even light, for light of this emission.
-static inline float3 lobe_radiance(const Vertex *v, float3 factor, const Incident *in, float3 emission) {
+/// Radiance that the lobes of a surfel send back, and what its base sends back beyond even light, for light of this emission; rays: so many are drawn
+/// along the lobes beside the samples.
+static inline float3 lobe_radiance(const Vertex *v, float3 factor, const Incident *in, float3 emission, int rays) {
     float3 n = v->n, t, b;
     frame_towards(n, v->o, &t, &b);
     float3 omega_i = (float3)(dot(in->direction, t), dot(in->direction, b), dot(in->direction, n));
     if (!(omega_i.z * dot(in->direction, v->g) > 0.0f)) return (float3)(0.0f);
     float3 omega_o = seen_from(n, v->o);
     float share = 1.0f;
-    if (in->density > 0.0f) share = in->density / (in->density + bsdf_pdf(&v->bsdf, omega_o, omega_i));
+    if (in->density > 0.0f) share = in->density / (in->density + rays * bsdf_pdf(&v->bsdf, omega_o, omega_i));
     float3 lobes = factor * bsdf_evaluate(&v->bsdf, omega_o, omega_i) * share;
     if (omega_i.z < 0.0f) return emission * in->form * lobes;
     float3 base = v->albedo * (M_1_PI_F * omega_i.z * (bsdf_base_factor(&v->bsdf, omega_o, omega_i) - 1.0f));
@@ -117,7 +118,7 @@ static inline void add_lobes(float rgb[3][PENCIL_WIDTH], int lanes, vfloat share
         if (!(lanes >> l & 1 && reaches > 0.0f)) continue;
         Vertex v = load_vertex(surfels, capacity, first + l, materials, tables);
         Incident in = incident_light(sample, v.x, area_factor, tables);
-        float3 radiance = lobe_radiance(&v, surfel_throughput(surfels, capacity, first + l), &in, reaches * emission.xyz);
+        float3 radiance = lobe_radiance(&v, surfel_throughput(surfels, capacity, first + l), &in, reaches * emission.xyz, 1);
         rgb[0][l] += radiance.x;
         rgb[1][l] += radiance.y;
         rgb[2][l] += radiance.z;

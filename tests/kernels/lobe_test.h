@@ -36,9 +36,9 @@ struct LobeScene {
     }
     /// Ends of chains that start there, `shared` of them on the same surfel.
     HostSurfels follow(const std::vector<int>& starts, int shared = 1) {
-        return HostSurfels(
-            follow_surfels(kernels, on_device, film.surfels(), Buffer<int>(device(), starts, "starts"), shared, {no_lights, no_lights}, 7)
-                .ends);
+        return HostSurfels(follow_surfels(kernels, on_device, film.surfels(), Buffer<int>(device(), starts, "starts"), {shared, false},
+                                          {no_lights, no_lights}, 7)
+                               .ends);
     }
 
     Scene scene;

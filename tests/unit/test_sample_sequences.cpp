@@ -136,6 +136,34 @@ TEST(LightSamples, GoWhereTheyLightTheReceivers) {
     EXPECT_NEAR(power / 16, 2.0 / (scale * scale), 0.15);
 }
 
+/// Texels consider whole threes of samples: on a round lamp these are not three times the same place.
+TEST(LightSamples, ThreesOfARoundLampLieApart) {
+    constexpr int around = 32, rings = 16, count = 96;
+    const auto at = [](int i, int j) {
+        const double phi = 2 * pi * i / around, theta = pi * j / rings;
+        return glm::dvec3(std::sin(theta) * std::cos(phi), std::cos(theta), std::sin(theta) * std::sin(phi));
+    };
+    std::vector<Face> faces;
+    for (int j = 0; j < rings; ++j)
+        for (int i = 0; i < around; ++i) {
+            if (j > 0) faces.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+            if (j + 1 < rings) faces.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+        }
+    Scene scene;
+    add_shape(scene, "lamp", faces, {glm::vec3(0.0F), glm::vec3(1.0F), false});
+    look_at(scene, {0, 2, -5}, {0, 2, 0}, {0, 1, 0}, 60.0, 8, 8);
+    const std::vector<LightForm> forms = choose_light_forms(scene, true, false);
+    const FlatScene flat = flatten(scene, forms, 0, 0);
+    const std::vector<LightSample> samples = sample_lights(scene, flat, forms, count, 3);
+    ASSERT_EQ(samples.size(), static_cast<std::size_t>(count));
+    double nearest = 0;
+    for (std::size_t k = 0; k < samples.size(); k += 3) {
+        const auto place = [&](std::size_t m) { return flat.normalisation.to_world(glm::dvec3(samples[k + m].position)); };
+        nearest += std::min({glm::distance(place(0), place(1)), glm::distance(place(1), place(2)), glm::distance(place(2), place(0))});
+    }
+    EXPECT_GT(nearest / (count / 3.0), 0.5) << "radii of the lamp";
+}
+
 TEST(PointThinner, KeepsSpacingsAndCovers) {
     constexpr float spacing = 0.1F, alike = 0.7F;
     PointThinner thinner(spacing, alike);
