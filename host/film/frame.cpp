@@ -11,8 +11,8 @@ namespace pencil {
 
 namespace {
 
-/// Surfels that light samples are meant for.
-constexpr int most_receivers = 64;
+/// Surfels that light samples are meant for: so many that some lie in each spot by a lamp that is worth seeing.
+constexpr int most_receivers = 1024;
 
 std::vector<LightReceiver> some_receivers(const Film& film) {
     static_assert(SURFEL_X == 0 && SURFEL_NX == 3 && SURFEL_NZ == 5, "positions and normals are the first fields");
@@ -73,7 +73,9 @@ void Frame::make_lights(int count, int map, const Turn& turn) {
     if (context_.options.bounces == 0) return;  // emission only
     if (context_.receivers.empty() && has_detailed_emitters(context_.scene, context_.flat, context_.forms))
         context_.receivers = some_receivers(*film_);
-    samples_ = sample_lights(context_.scene, context_.flat, context_.forms, count, turn.seed, turn.index, context_.receivers);
+    if (context_.light_importance.empty() && !context_.receivers.empty())
+        context_.light_importance = light_importance(context_.scene, context_.flat, context_.forms, context_.receivers);
+    samples_ = sample_lights(context_.scene, context_.flat, context_.forms, count, turn.seed, turn.index, context_.light_importance);
     if (samples_.empty()) return;
     lights_ = LightSet(context_.kernels.device(), samples_, context_.kernels.map_shape(map));
     if (map > 0) make_geometry_maps(context_.kernels, context_.device_scene, lights_.maps, 0, lights_.maps.count);

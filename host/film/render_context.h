@@ -48,6 +48,7 @@ struct RenderContext {
     bool maps_emit = false;                // some emitter is carried by the maps
     RenderStats stats;                     // as far as methods fill them; the session adds the rest
     std::vector<LightReceiver> receivers;  // some of what the first film shows, where light samples depend on it
+    std::vector<float> light_importance;   // of the emitters' triangles for these
 };
 
 }  // namespace pencil

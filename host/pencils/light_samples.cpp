@@ -67,9 +67,9 @@ struct ShapeTriangles {
 /// Share of a shape's samples that goes by area: what none of the receivers sees may light others.
 constexpr double share_by_area = 0.15;
 
-/// Light that a triangle would send to the receivers per area, if nothing stood between, in the mean.
-double importance(const Triangle& t, const float4& plane, const std::vector<LightReceiver>& receivers) {
-    const glm::dvec3 middle = (glm::dvec3(t.v0) + glm::dvec3(t.v1) + glm::dvec3(t.v2)) / 3.0, normal(plane);
+/// Light per area that a triangle would send to the receivers, if nothing stood between.
+double light_to(const Triangle& t, const glm::dvec3& normal, const std::vector<LightReceiver>& receivers) {
+    const glm::dvec3 middle = (glm::dvec3(t.v0) + glm::dvec3(t.v1) + glm::dvec3(t.v2)) / 3.0;
     const double area = glm::length(area_vector(t));
     double sum = 0;
     for (const LightReceiver& r : receivers) {
@@ -77,7 +77,7 @@ double importance(const Triangle& t, const float4& plane, const std::vector<Ligh
         const double out = glm::dot(step, normal), in = -glm::dot(step, glm::dvec3(r.normal)), square = glm::dot(step, step);
         if (out > 0 && in > 0) sum += out * in / (square * (square + area));
     }
-    return sum;
+    return std::min(sum, 1e30);  // finite as a float
 }
 
 /// Place along a curve that fills the cube about the shape and keeps neighbours together: bits of the three coordinates in turn (Morton 1966).
@@ -109,12 +109,13 @@ void order_along_curve(std::vector<const Triangle*>& triangles) {
 }
 
 /// Weights of the triangles, in the order of the list.
-void weigh(ShapeTriangles& e, const FlatScene& flat, const std::vector<LightReceiver>& receivers) {
+void weigh(ShapeTriangles& e, const FlatScene& flat, const std::vector<float>& importance) {
     std::vector<double> areas, weights;
     double total = 0;
     for (const Triangle* t : e.triangles) {
         areas.push_back(glm::length(area_vector(*t)));
-        weights.push_back(areas.back() * importance(*t, flat.planes[static_cast<std::size_t>(t->plane)], receivers));
+        const auto number = static_cast<std::size_t>(t - flat.triangles.data());
+        weights.push_back(importance.empty() ? 0.0 : areas.back() * static_cast<double>(importance[number]));
         e.area += areas.back();
         total += weights.back();
     }
@@ -124,7 +125,7 @@ void weigh(ShapeTriangles& e, const FlatScene& flat, const std::vector<LightRece
 }
 
 std::vector<ShapeTriangles> emitting_shapes(const Scene& scene, const FlatScene& flat, const std::vector<LightForm>& forms,
-                                            const std::vector<LightReceiver>& receivers) {
+                                            const std::vector<float>& importance) {
     std::vector<ShapeTriangles> emitters;
     for (const Triangle& t : flat.triangles) {
         const auto shape = static_cast<std::size_t>(t.shape);
@@ -137,7 +138,7 @@ std::vector<ShapeTriangles> emitting_shapes(const Scene& scene, const FlatScene&
                    emitters.end());
     for (ShapeTriangles& e : emitters) {
         order_along_curve(e.triangles);
-        weigh(e, flat, receivers);
+        weigh(e, flat, importance);
     }
     return emitters;
 }
@@ -246,8 +247,18 @@ std::vector<LightForm> choose_light_forms(const Scene& scene, bool all_samples, 
     return forms;
 }
 
+std::vector<float> light_importance(const Scene& scene, const FlatScene& flat, const std::vector<LightForm>& forms,
+                                    const std::vector<LightReceiver>& receivers) {
+    std::vector<float> importance(flat.triangles.size(), 0.0F);
+    for (const ShapeTriangles& e : emitting_shapes(scene, flat, forms, {}))
+        for (const Triangle* t : e.triangles)
+            importance[static_cast<std::size_t>(t - flat.triangles.data())] =
+                static_cast<float>(light_to(*t, glm::dvec3(flat.planes[static_cast<std::size_t>(t->plane)]), receivers));
+    return importance;
+}
+
 std::vector<LightSample> sample_lights(const Scene& scene, const FlatScene& flat, const std::vector<LightForm>& forms, int count,
-                                       std::uint64_t seed, std::uint64_t turn, const std::vector<LightReceiver>& receivers) {
+                                       std::uint64_t seed, std::uint64_t turn, const std::vector<float>& importance) {
     std::vector<LightSample> samples;
     for (std::size_t i = 0; i < scene.point_lights.size(); ++i)
         samples.push_back(point_sample(scene.point_lights[i], flat.profile_tables[i], flat));
@@ -260,7 +271,7 @@ std::vector<LightSample> sample_lights(const Scene& scene, const FlatScene& flat
     // The sky's share of the samples is as if it lit the whole scene from outside.
     const double sky = sampled_sky_power(flat.sky, flat.sky_texels) * cross_section(flat);
     // Each emitting shape gets samples by its chance, at least one, spread over its triangles by area.
-    const std::vector<ShapeTriangles> emitters = emitting_shapes(scene, flat, forms, receivers);
+    const std::vector<ShapeTriangles> emitters = emitting_shapes(scene, flat, forms, importance);
     LightChances chances;
     chances.add(sky);
     for (const ShapeTriangles& e : emitters) chances.add(e.power());

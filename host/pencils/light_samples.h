@@ -15,10 +15,13 @@ struct LightReceiver {
 
 /// One sample per point light, and `count` (at least one per emitting shape) over the area emitters of form `samples`, in proportion
 /// to their power. Radiance is unchanged by the scene's scale; intensities and areas are turned into scene units. Sets of one seed in
-/// successive turns fill the emitters evenly. With `receivers`, the triangles of an emitter get samples as they would light these if nothing
-/// stood between, and a few by their area.
+/// successive turns fill the emitters evenly. With `importance`, the triangles of an emitter get samples by this, and a few by their area.
 std::vector<LightSample> sample_lights(const Scene& scene, const FlatScene& flat, const std::vector<LightForm>& forms, int count,
-                                       std::uint64_t seed, std::uint64_t turn = 0, const std::vector<LightReceiver>& receivers = {});
+                                       std::uint64_t seed, std::uint64_t turn = 0, const std::vector<float>& importance = {});
+
+/// Light that each triangle of an emitter of form `samples` would send to the receivers per area, if nothing stood between, of all alike radiance.
+std::vector<float> light_importance(const Scene& scene, const FlatScene& flat, const std::vector<LightForm>& forms,
+                                    const std::vector<LightReceiver>& receivers);
 
 /// True if which triangle is sampled makes a difference: some emitter of form `samples` has more than a quad.
 bool has_detailed_emitters(const Scene& scene, const FlatScene& flat, const std::vector<LightForm>& forms);

@@ -123,10 +123,11 @@ TEST(LightSamples, GoWhereTheyLightTheReceivers) {
     const std::vector<LightForm> forms(1, LightForm::samples);
     const FlatScene flat = flatten(scene, forms, 4, 4);
     const LightReceiver below{glm::vec3(flat.normalisation.to_scene({0.5, 0, 0.5})), glm::vec3(0, 1, 0)};
+    const std::vector<float> importance = light_importance(scene, flat, forms, {below});
     int low = 0, all = 0;
     double power = 0;
     for (std::uint64_t turn = 0; turn < 16; ++turn)
-        for (const LightSample& s : sample_lights(scene, flat, forms, 30, 7, turn, {below})) {
+        for (const LightSample& s : sample_lights(scene, flat, forms, 30, 7, turn, importance)) {
             low += s.normal.y < 0 ? 1 : 0;
             ++all;
             power += static_cast<double>(s.emission.x);
